@@ -69,6 +69,17 @@ class TestSurface:
         assert surface.coefficients[:, 0, 0] == pytest.approx([50e3, 3, 0, 0, 0, 0, 0, 0, -2, 0], abs=1e-8)
         assert surface.coefficients[:, 1, 1] == pytest.approx([60e3, 0, 0, 5, 0, 0, 0, -1, 0, 0], abs=1e-8)
 
+    def test_pairs_of_plates_and_pillars(self):
+        rng = np.random.default_rng(5)
+        x, common, single = (rng.uniform(-3, 3, (count, 3)) for count in (15, 4, 9))
+        common[:, 1], single[:, [0, 2]] = 0.0, 0.0
+        surface = Surface.fitted(x, self.quadratic(x))
+        for plate, edges in zip(common, surface.of_pairs(common, single), strict=True):
+            assert edges == pytest.approx(surface.at(plate + single), rel=1e-12)
+        few = surface.leading(single[:1])
+        assert few.coefficients.shape[2] < 3
+        assert few.at(single[:1]) == pytest.approx(surface.at(single[:1]), rel=1e-12)
+
     def test_the_doubt_is_what_new_designs_differ_by(self):
         """Noise of one hertz: designs left out differ by it and by the fit's own error."""
         rng = np.random.default_rng(2)

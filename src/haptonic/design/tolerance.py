@@ -12,8 +12,9 @@ pillars.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+import itertools
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Annotated, Literal
 
@@ -21,19 +22,21 @@ import numpy as np
 import scipy
 from pydantic import Field
 
-from haptonic.arrays import Array
+from haptonic.arrays import Array, Bools
 from haptonic.cell import UnitCell
 from haptonic.design.discs import is_divided_alike, with_shared
 from haptonic.design.links import Links
 from haptonic.design.parameters import FEATURE, OfCell, values_of
+from haptonic.design.rare import Divided
 from haptonic.errors import GeometryError
 from haptonic.fields import FASTEST, Quantity, described, needed, once, problem, setting
 from haptonic.units import format_quantity
 
 CUT = 3.0  # standard deviations at which normal spreads are cut off
 REACH = 2.0  # the fit is valid for spreads up to this many times those given
-DRAWS = 2**14  # of the quasi-random sequence, for probabilities
-PILLAR_DRAWS, PLATE_DRAWS = 2**10, 2**8  # draws of pillars, for each of fewer draws of the plate's numbers
+DRAWS = 2**14  # of the quasi-random sequence, of edges and of single pillars
+PILLAR_DRAWS, PLATE_DRAWS = 2**10, 2**9  # draws of pillars, all for each of fewer draws of the plate
+RARE = float(np.log(1e4))  # logarithm of plates among which one that fails is resolved
 
 
 @described("tolerance.of")
@@ -179,6 +182,24 @@ class Surface:
         """(n, 2) edges, Hz."""
         return edges_of(np.tensordot(_terms(deviations), self.coefficients, axes=1))
 
+    def of_pairs(self, plates: Array, pillars: Array) -> Iterator[Array]:
+        """(pillars, 2) edges, Hz, for each of (plates, parameters) deviations plus those of all pillars."""
+        count = plates.shape[1]
+        i, j = np.triu_indices(count)
+        forms = np.zeros((count, count, *self.coefficients.shape[1:]))
+        forms[i, j] = self.coefficients[1 + count :]
+        slopes = self.coefficients[1 : 1 + count] + np.tensordot(plates, forms + forms.swapaxes(0, 1), axes=1)
+        alone = np.tensordot(_terms(plates), self.coefficients, axes=1)
+        of_pillars = np.tensordot(_terms(pillars)[:, 1 + count :], self.coefficients[1 + count :], axes=1)
+        for plate, slope in zip(alone, slopes, strict=True):
+            yield edges_of(plate + np.tensordot(pillars, slope, axes=1) + of_pillars)
+
+    def leading(self, deviations: Array) -> Surface:
+        """The same edges with only those bands that are an edge at one of (n, parameters) deviations."""
+        frequency = np.tensordot(_terms(deviations), self.coefficients, axes=1)
+        kept = np.union1d(frequency[:, 0].argmax(axis=1), frequency[:, 1].argmin(axis=1))
+        return Surface(self.coefficients[:, :, kept], self.doubt)
+
 
 def edges_of(frequency: Array) -> Array:
     """(n, 2) highest frequency of the band below and lowest of the band above, from (n, 2, k)."""
@@ -214,6 +235,10 @@ class Chances:
     narrowed: tuple[float, float] = (0.0, 0.0)
 
     @cached_property
+    def _divided(self) -> Divided:
+        return Divided([s.frozen for s in self.spreads])
+
+    @cached_property
     def _draws(self) -> Array:
         """(DRAWS, parameters) deviations in units of the widths."""
         return self.drawn(DRAWS)
@@ -225,27 +250,67 @@ class Chances:
 
     def room(self, deviations: Array) -> Array:
         """(n,) distance of the carrier from the nearer edge, less the margin, Hz."""
-        lower, upper = self.surface.at(deviations).T
+        return self._room(self.surface.at(deviations))
+
+    def _room(self, edges: Array) -> Array:
+        lower, upper = edges.T
         up, down = self.narrowed
         room = np.minimum(self.carrier - (lower + up), upper - down - self.carrier)
         return np.asarray(room - self.margin)
 
     def of_one_pillar(self) -> float:
         """Probability that a lattice of any one pillar of any one plate keeps the margin."""
-        return float((self.room(self._draws) >= 0).mean())
+        return replace(self, pillars=1).of_a_plate()
 
     def of_a_plate(self, scale: float = 1.0) -> float:
         """Probability that all pillars of a plate keep the margin, with machined spreads times ``scale``."""
         scales = np.array([scale if s.is_machined else 1.0 for s in self.spreads])
-        by_pillar = np.array([s.per == "pillar" for s in self.spreads])
-        if not by_pillar.any():
-            return float((self.room(self._draws * scales) >= 0).mean())
-        plates, pillars = self.drawn(PLATE_DRAWS), self.drawn(PILLAR_DRAWS, seed=2)
-        probabilities = []
-        for plate in plates:
-            share = (self.room(np.where(by_pillar, pillars, plate) * scales) >= 0).mean()
-            probabilities.append(share**self.pillars)
-        return float(np.mean(probabilities))
+        by_pillar, pillars = np.array([s.per == "pillar" for s in self.spreads]), self.pillars
+        if pillars == 1 or not by_pillar.any():  # all plates are then drawn as single pillars of one plate
+            by_pillar, pillars = np.ones_like(by_pillar), 1
+        proposals = self._near_failure(scales, by_pillar, pillars)
+
+        def drawn(varied: Bools, count: int, seed: int) -> tuple[Array, Array]:
+            if not varied.any():
+                return np.zeros((1, len(scales))), np.ones(1)
+            own = self._divided.own
+            each = [np.where(varied[:, None], proposal, own) for proposal in proposals]
+            deviations, weights = self._divided.drawn(each, count, seed)
+            return deviations * varied * scales, weights
+
+        own, shares = drawn(~by_pillar, PLATE_DRAWS, 1)
+        others, weights = drawn(by_pillar, DRAWS if by_pillar.all() else PILLAR_DRAWS, 2)
+        joint = drawn(np.ones_like(by_pillar), PILLAR_DRAWS, 3)[0]
+        rooms = map(self._room, self.surface.leading(joint).of_pairs(own, others))
+        failing = np.array([np.average(room < 0, weights=weights) for room in rooms])
+        with np.errstate(divide="ignore"):
+            keeping = np.exp(pillars * np.log1p(-failing))
+        return float(np.average(keeping, weights=shares))
+
+    def _near_failure(self, scales: Array, by_pillar: Bools, pillars: int) -> list[Array]:
+        """Proposals for draws: the distribution itself, even ones, and ones that lean to either edge.
+
+        They reach the worst pillar of a plate, and that of the worst of as many plates as `RARE` means.
+        """
+        divided = self._divided
+        proposals = [divided.own, divided.even]
+        for side, rare in itertools.product((0, 1), (0.0, 0.5 * RARE, RARE)):
+            leaning = divided.own
+            for _ in range(3):  # the slopes change with the deviations
+                means = (leaning * divided.places).sum(axis=1)
+                towards = self._slopes(means * scales)[:, side] * scales * (-1 if side else 1)
+                leaning = np.where(
+                    by_pillar[:, None],
+                    divided.leaning(towards * by_pillar, rare + float(np.log(pillars))),
+                    divided.leaning(towards * ~by_pillar, rare),
+                )
+            proposals.append(leaning)
+        return proposals
+
+    def _slopes(self, deviations: Array) -> Array:
+        """(parameters, 2) derivatives of the edges at (parameters,) deviations, Hz per width."""
+        step = 1e-3 * np.eye(len(deviations))
+        return (self.surface.at(deviations + step) - self.surface.at(deviations - step)) / 2e-3
 
     def loosest(self, confidence: float) -> float:
         """Largest factor on all machined spreads, up to `REACH`, at which plates keep the margin, or 0."""
