@@ -250,3 +250,12 @@ def test_a_number_without_a_unit_is_repeated_with_the_unit_that_is_probably_mean
     with pytest.raises(HaptonicError) as caught:
         to_si(given, unit, "x")
     assert caught.value.next_step.endswith(f'"{complete}"')
+
+
+@pytest.mark.parametrize(
+    ("unit", "value"), [("m", 'a number with its unit, such as "7 mm"'), ("", "a plain number")]
+)
+def test_a_percentage_is_refused_with_the_absolute_value_as_the_next_step(unit, value):
+    with pytest.raises(HaptonicError) as caught:
+        to_si("1 %", unit, "tolerance.of[1].spread")
+    assert caught.value.next_step.startswith(f"write the absolute value as {value}")

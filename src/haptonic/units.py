@@ -130,6 +130,10 @@ def to_si(text: object, unit: str, argument: str) -> float:
 
     if isinstance(text, bool) or not isinstance(text, str | int | float):
         raise refused("a value of the wrong type")
+    if isinstance(text, str) and "%" in text:
+        raise refused(
+            "a percentage, where the value itself belongs", f"write the absolute value as {allowed}"
+        )
     if isinstance(text, str):
         number, unit_text = _split(text, refused)
     elif isinstance(text, float) and not math.isfinite(text):

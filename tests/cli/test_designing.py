@@ -261,7 +261,7 @@ class TestTolerance:
         # from here on the store has everything
         spoken = here("tolerance", path, "--tables", "--out", tmp_path / "again")
         assert spoken.code == 0, spoken.err
-        for words in ("effects on the edges", "10 µm", "100.0", "Within the errors of the edges, ",
+        for words in ("effects on the edges", "20 µm", "100.0", "Within the errors of the edges, ",
                       f"{100 * answer['chance_of_a_plate']:.2f} % for all 180 pillars",
                       f"may be {answer['loosest_factor']:.2f} times as large for a confidence of 99.0 %",
                       ):  # fmt: skip
@@ -314,14 +314,35 @@ class TestTolerance:
     @pytest.mark.parametrize(
         ("name", "spread", "words"),
         [
-            ("cell.pillar.diameter", "2 mm", "wider than the cell"),
+            ("cell.pillar.diameter", "2 mm", "cannot be negative"),
             ("cell.thickness", "0.6 mm", "cannot be negative"),
             ("material.youngs_modulus", "40 GPa", "outside the range"),
         ],
     )
     def test_spreads_that_make_no_body(self, here, asking, name, spread, words):
         path = asking("[tolerance]\nsamples = 16\n", SPREAD.format(name, spread), changes=(FINE,))
-        assert_five_parts(here("tolerance", path), name, words, code="out-of-range", argument="tolerance.of")
+        for options in ([], ["--dry-run"]):
+            ran = here("tolerance", path, *options)
+            assert_five_parts(ran, name, words, code="out-of-range", argument="tolerance.of[1].spread")
+            assert "up to 6 spreads away" in ran.err
+        largest = re.search(r'at most "(.+)"', ran.err)[1]
+        possible = asking("[tolerance]\nsamples = 16\n", SPREAD.format(name, largest), changes=(FINE,))
+        assert here("tolerance", possible, "--dry-run").code == 0
+
+    def test_spreads_that_make_no_body_together(self, here, asking):
+        spreads = (SPREAD.format("cell.pillar.diameter", "0.5 mm"), SPREAD.format("cell.pitch", "0.5 mm"))
+        path = asking("[tolerance]\nsamples = 16\n", *spreads, changes=(FINE,))
+        ran = here("tolerance", path, "--dry-run")
+        assert_five_parts(ran, "together", code="out-of-range", argument="tolerance.of")
+
+    def test_a_drawing_with_too_large_spreads_has_none(self, here, asking, tmp_path):
+        path = asking(
+            "[tolerance]\nsamples = 16\n", SPREAD.format("cell.thickness", "0.6 mm"), changes=(FINE,)
+        )
+        ran = here("export", path, "--drawing", "--json", "--out", tmp_path / "files")
+        assert ran.code == 0, ran.err
+        reason = json.loads(ran.out)["why_no_tolerances"]
+        assert reason.startswith("a spread is too large, see tolerance.of[1].spread: at most ")
 
 
 @pytest.fixture

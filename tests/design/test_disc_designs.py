@@ -17,7 +17,8 @@ from haptonic.design.discs import moving_together, reason_fixed, with_shared
 from haptonic.design.edges import beside_dataset, edge_slopes
 from haptonic.design.parameters import values_of
 from haptonic.design.settings import DesignLimits
-from haptonic.design.tolerance import Spread, Surface, samples
+from haptonic.design.spread_designs import samples
+from haptonic.design.tolerance import Spread, Surface
 from haptonic.errors import GeometryError
 from haptonic.lattice import Lattice
 from haptonic.materials import material

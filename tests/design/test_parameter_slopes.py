@@ -15,7 +15,7 @@ from haptonic.bloch.pencil import bloch_pencil, eigenpairs
 from haptonic.cell import MeshPlan
 from haptonic.design.quick import QuickDesign
 from haptonic.design.sensitivity import sensitivity
-from haptonic.design.tolerance import deviations, samples
+from haptonic.design.spread_designs import deviations, samples
 from haptonic.study import loads
 from haptonic.study.named import links_of
 from haptonic.superelement import TiledMesh

@@ -1,5 +1,7 @@
 """Designs that are reported while an analysis computes are those of its result."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -64,3 +66,19 @@ def test_tolerances_report_the_edges_of_their_designs(store_folder):
     reported = [[number.value for number in point.results] for point in points]
     np.testing.assert_allclose(reported, result.dataset["edge"].values)
     assert len({point.changes["cell.pillar.height"] for point in points}) == len(points) == 16
+
+
+def test_constants_of_built_in_materials_vary_in_tolerances(store_folder):
+    """The study does not give them, so they are no parameters of it."""
+    spread = TOLERANCE.replace("cell.pillar.height", "material.density").replace("20 um", "20 kg/m^3")
+    points, result = computed("tolerance", STUDY + spread, store_folder)
+    assert points[0].varied[0].unit == "kg/m^3"
+    assert result.loosest is None
+    assert result.facts()["loosest_factor"] is None
+    assert "No size or angle varies" in " ".join(result.summary())
+    (row,) = result.tables()[0].rows
+    assert row[:2] == ("material.density", "20 kg/m^3")
+    assert row[2:4] == pytest.approx(tuple(20.0 * result.dataset["slope"].values[0]))
+    far = replace(result, loosest=0.0, plate=0.4, exact_sizes=0.425)
+    words = "With exact sizes the probability is 42.50 %, so no spread of sizes, however small, gives a confidence"
+    assert words in " ".join(far.summary())

@@ -223,15 +223,18 @@ def drawn_tolerances(study: Description, runner: Runner) -> tuple[dict[str, floa
         return {}, "the study gives no spreads, [tolerance] of"
     try:
         result = tolerance.compute(study, NoOptions(), runner)
-    except HaptonicError as error:  # errors in the spreads themselves are raised
+    except HaptonicError as error:  # other errors of [tolerance] are raised
+        if error.code == "out-of-range" and error.argument.startswith("tolerance.of"):
+            return {}, f"a spread is too large, see {error.argument}: {error.allowed}"
         if error.code not in UNANSWERED:
             raise
         return {}, f"no gap contains the carrier, see {error.argument}: {error.cause}"
     shown = dimensions_of(study.cell)
-    drawn = {s.parameter: result.loosest * s.half_range for s in section.of if s.parameter in shown}
+    factor = result.loosest or 0.0
+    drawn = {s.parameter: factor * s.half_range for s in section.of if s.parameter in shown}
     if not drawn:
         return {}, "the study gives spreads only for material constants or sizes that are not drawn"
-    if result.loosest > 0:
+    if factor > 0:
         return with_shared(study.cell, drawn), ""
     return {}, (
         f"no tolerance keeps the carrier in the gap with the confidence of [tolerance], "

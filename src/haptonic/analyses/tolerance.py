@@ -19,18 +19,11 @@ from haptonic.bloch import Gap
 from haptonic.bloch.gaps import need_gap_at
 from haptonic.design.discs import with_shared
 from haptonic.design.edges import beside_dataset, edge_slopes, linear
+from haptonic.design.links import Links
 from haptonic.design.quick import QUICK
-from haptonic.design.tolerance import (
-    REACH,
-    Chances,
-    Surface,
-    deviations,
-    edges_of,
-    first_order,
-    samples,
-    terms_needed,
-)
-from haptonic.errors import HaptonicError, StudyError
+from haptonic.design.spread_designs import check_possible, deviations, own_values, samples
+from haptonic.design.tolerance import Chances, Surface, edges_of, first_order, terms_needed
+from haptonic.errors import StudyError
 from haptonic.fields.expressions import NAMED
 from haptonic.jobs import Outcome, Task
 from haptonic.later import xarray as xr
@@ -48,7 +41,7 @@ SAMPLE = 0.9
 
 
 def check(study: Description, options: NoOptions) -> None:
-    """Raise StudyError without a carrier, without spreads, or with too few samples for the spreads."""
+    """Raise StudyError without a carrier or spreads, with too few samples, or with impossible spreads."""
     need_carrier(study)
     section = study.tolerance_settings
     if not section.of:
@@ -67,6 +60,7 @@ def check(study: Description, options: NoOptions) -> None:
             cause=f"a quadratic in so many parameters has {needed} coefficients",
             next_step="compute more samples, or leave out spreads of little effect",
         )
+    check_possible(study.cell, section.of, count, links_of(study))
 
 
 def compute(study: Description, options: NoOptions, runner: Runner) -> Tolerance:
@@ -81,21 +75,12 @@ def compute(study: Description, options: NoOptions, runner: Runner) -> Tolerance
     cell, carrier, count, spreads = study.cell, need_carrier(study), section.samples, section.of
     links, paths = links_of(study), [spread.parameter for spread in spreads]
     gap = need_gap_at(runner.gaps(cell, study.bands_settings), carrier)
-    try:
-        designs = samples(cell, spreads, count, links)
-    except HaptonicError as error:
-        raise StudyError.out_of_range(
-            argument="tolerance.of",
-            given="spreads that lead to impossible bodies",
-            allowed=f"spreads for which {REACH:g} times their size still gives a body",
-            cause=f"{error.argument} would be {error.given}: {error.cause}",
-            next_step="give smaller spreads",
-        ) from None
+    designs = samples(cell, spreads, count, links)
     batches = [designs[i : i + BATCH] for i in range(0, count, BATCH)]
     tasks = [
         Task({"kind": "beside", "cells": cells, "gap": gap}, (cells, gap)) for cells in ([cell], *batches)
     ]
-    drawn = DrawnPoints(study, gap, runner.report)
+    drawn = DrawnPoints(study, gap, links, runner.report)
     datasets = runner.run(beside_dataset, tasks, 1, drawn.heard)
     nominal, *parts = (dataset["frequency"].values for dataset in datasets)
     offset = np.array(gap.edges) - edges_of(nominal)[0]
@@ -121,6 +106,7 @@ def compute(study: Description, options: NoOptions, runner: Runner) -> Tolerance
                 ("plate", "side"), surface.at(chances.drawn(DRAWN)),
                 {"units": "Hz", "long_name": "edges of drawn designs, from the fit"},
             ),
+            "spread": ("parameter", widths, {"units": "SI", "long_name": "spreads of the study"}),
             "slope": (("parameter", "side"), slopes, {"units": "Hz/SI"}),
             "first_order_share": (("parameter", "side"), variance / variance.sum(axis=0), {"units": "1"}),
             "total_index": (("parameter", "side"), chances.importance(), {"units": "1"}),
@@ -146,6 +132,7 @@ def compute(study: Description, options: NoOptions, runner: Runner) -> Tolerance
         plate_range=(ends[0].of_a_plate(), ends[1].of_a_plate()),
         pillar_range=(ends[0].of_one_pillar(), ends[1].of_one_pillar()),
         loosest=chances.loosest(section.confidence),
+        exact_sizes=chances.of_a_plate(0.0),
         dataset=stamped(dataset, study.inputs()),
         margin=section.margin,
         pillars=section.pillars,
@@ -160,10 +147,12 @@ class DrawnPoints:
     wait for the nominal one, the first task.
     """
 
-    def __init__(self, study: Description, gap: Gap, report: Points) -> None:
+    def __init__(self, study: Description, gap: Gap, links: Links, report: Points) -> None:
         self.study, self.gap, self.report = study, gap, report
-        self.own, self.units = study.parameters(), study.units()
-        self.rows = deviations(study.tolerance_settings.of, study.tolerance_settings.samples)
+        spreads = study.tolerance_settings.of
+        self.own = own_values(study.cell, spreads, links)
+        self.units = {path: links.unit(path) for path in self.own}
+        self.rows = deviations(spreads, study.tolerance_settings.samples)
         self.offset: Array | None = None
         self.waiting: list[tuple[int, Outcome]] = []
 
@@ -184,12 +173,13 @@ class DrawnPoints:
         self.waiting.clear()
 
     def _point(self, number: int, edges: Array) -> ComputedPoint:
-        paths = [spread.parameter for spread in self.study.tolerance_settings.of]
-        values = {path: self.own[path] + float(d) for path, d in zip(paths, self.rows[number], strict=True)}
+        values = {
+            path: own + float(d) for (path, own), d in zip(self.own.items(), self.rows[number], strict=True)
+        }
         return ComputedPoint(
             group="designs within the spreads",
             changes=with_shared(self.study.cell, values),
-            varied=tuple(PointNumber(path, values[path], self.units[path]) for path in paths),
+            varied=tuple(PointNumber(path, value, self.units[path]) for path, value in values.items()),
             results=(
                 PointNumber("lower edge", float(edges[0]), "Hz"),
                 PointNumber("upper edge", float(edges[1]), "Hz"),

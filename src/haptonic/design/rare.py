@@ -64,7 +64,7 @@ class Divided:
         Averages with the weights are those of the distributions.
         """
         each = count // len(proposals)
-        points = scipy.stats.qmc.Sobol(len(self.distributions), rng=seed).random(count)
+        points = sobol(len(self.distributions), count, seed)
         places, chosen = np.empty_like(points), np.empty(points.shape, dtype=int)
         for part, shares in enumerate(proposals):
             rows = slice(part * each, (part + 1) * each)
@@ -80,3 +80,9 @@ class Divided:
         weights = np.exp(-scipy.special.logsumexp(powers, axis=0, b=1 / len(proposals)))
         deviations = [d.ppf(p) for d, p in zip(self.distributions, places.T, strict=True)]
         return np.column_stack(deviations), weights
+
+
+def sobol(parameters: int, count: int, seed: int = 0) -> Array:
+    """(count, parameters) points of the unit cube."""
+    power = int(np.ceil(np.log2(count)))
+    return np.asarray(scipy.stats.qmc.Sobol(parameters, rng=seed).random_base2(power)[:count])

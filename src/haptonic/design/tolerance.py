@@ -23,12 +23,8 @@ import scipy
 from pydantic import Field
 
 from haptonic.arrays import Array, Bools
-from haptonic.cell import UnitCell
-from haptonic.design.discs import is_divided_alike, with_shared
-from haptonic.design.links import Links
-from haptonic.design.parameters import FEATURE, OfCell, values_of
-from haptonic.design.rare import Divided
-from haptonic.errors import GeometryError
+from haptonic.design.parameters import FEATURE, OfCell
+from haptonic.design.rare import Divided, sobol
 from haptonic.fields import FASTEST, Quantity, described, needed, once, problem, setting
 from haptonic.units import format_quantity
 
@@ -118,39 +114,6 @@ class ToleranceSettings:
 
     def __post_init__(self) -> None:
         once(self.of, "of")
-
-
-def deviations(spreads: Sequence[Spread], count: int) -> Array:
-    """(count, parameters) deviations, SI, that fill `REACH` times the ranges evenly.
-
-    They are a scrambled Sobol sequence of a fixed seed.
-    """
-    places = REACH * (2 * _sobol(len(spreads), count) - 1)
-    return np.asarray(places * [spread.half_range for spread in spreads])
-
-
-def samples(
-    cell: UnitCell, spreads: Sequence[Spread], count: int, links: Links | None = None
-) -> list[UnitCell]:
-    """Designs with the `deviations`; ``links`` for spreads of named parameters.
-
-    Raises
-    ------
-    GeometryError : a spread so large that some designs are not possible, or ends or borders of discs cross
-    """
-    links, values, rows = links or Links(), values_of(cell), deviations(spreads, count)
-    own = {s.parameter: links.own(s.parameter) if s.names_parameter else values[s.parameter] for s in spreads}
-    changes = [{name: own[name] + float(d) for name, d in zip(own, row, strict=True)} for row in rows]
-    designs = [cell.with_numbers(with_shared(cell, links.numbers(change))) for change in changes]
-    if not all(is_divided_alike(cell, design) for design in designs):
-        raise GeometryError.conflict(
-            argument="cell.disc",
-            given="in another order, from below or from the axis",
-            allowed="ends and borders in the order of the study",
-            cause="some spreads exceed the distance of two ends or borders",
-            next_step="give smaller spreads",
-        )
-    return designs
 
 
 @dataclass(frozen=True)
@@ -245,7 +208,7 @@ class Chances:
 
     def drawn(self, count: int, seed: int = 1) -> Array:
         """(count, parameters) deviations in units of the spreads' widths."""
-        places = np.clip(_sobol(len(self.spreads), count, seed), 1e-9, 1 - 1e-9)
+        places = np.clip(sobol(len(self.spreads), count, seed), 1e-9, 1 - 1e-9)
         return np.column_stack([s.frozen.ppf(p) for s, p in zip(self.spreads, places.T, strict=True)])
 
     def room(self, deviations: Array) -> Array:
@@ -312,9 +275,14 @@ class Chances:
         step = 1e-3 * np.eye(len(deviations))
         return (self.surface.at(deviations + step) - self.surface.at(deviations - step)) / 2e-3
 
-    def loosest(self, confidence: float) -> float:
-        """Largest factor on all machined spreads, up to `REACH`, at which plates keep the margin, or 0."""
-        if self.of_a_plate(0.0) < confidence or not any(s.is_machined for s in self.spreads):
+    def loosest(self, confidence: float) -> float | None:
+        """Largest factor on all machined spreads, up to `REACH`, at which plates keep the margin, or 0.
+
+        None if no spread is machined.
+        """
+        if not any(s.is_machined for s in self.spreads):
+            return None
+        if self.of_a_plate(0.0) < confidence:
             return 0.0
         if self.of_a_plate(REACH) >= confidence:
             return REACH
@@ -339,9 +307,3 @@ class Chances:
 def first_order(slopes: Array, spreads: Sequence[Spread]) -> Array:
     """(parameters, 2) variances of both edges, Hz^2, from their slopes (parameters, 2) in Hz per SI unit."""
     return np.asarray(slopes**2 * np.array([s.variance for s in spreads])[:, None])
-
-
-def _sobol(parameters: int, count: int, seed: int = 0) -> Array:
-    """(count, parameters) points of the unit cube."""
-    power = int(np.ceil(np.log2(count)))
-    return np.asarray(scipy.stats.qmc.Sobol(parameters, rng=seed).random_base2(power)[:count])

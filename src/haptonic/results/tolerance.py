@@ -15,7 +15,7 @@ from haptonic.plots.text import gap_text
 from haptonic.results.plain import split
 from haptonic.results.result import Result, figure
 from haptonic.results.table import Cell, Column, Table
-from haptonic.units import in_percent
+from haptonic.units import format_quantity, in_percent
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -25,7 +25,9 @@ class Tolerance(Result):
     gap : of the nominal design
     plate, pillar : probability that all pillars of a plate keep the margin, and that one pillar does
     plate_range, pillar_range : least and largest probability within the errors of the edges of `gap`
-    loosest : factor on all machined spreads that the required confidence allows, at most `REACH`
+    loosest : factor on all machined spreads that the required confidence allows, at most `REACH`; None if no
+        spread is machined
+    exact_sizes : probability that all pillars keep the margin if machined numbers do not vary
     dataset : edges of computed designs and of drawn plates, slopes and indices
     margin, pillars, confidence : requirements: Hz, pillars of a plate, probability
     """
@@ -38,7 +40,8 @@ class Tolerance(Result):
     pillar: float
     plate_range: tuple[float, float]
     pillar_range: tuple[float, float]
-    loosest: float
+    loosest: float | None
+    exact_sizes: float
     dataset: xr.Dataset
     margin: float
     pillars: int
@@ -48,12 +51,17 @@ class Tolerance(Result):
         lower, upper = self.dataset["deviation"].values
         margin = f" with a margin of {self.margin:g} Hz" if self.margin else ""
         confidence = f"a confidence of {in_percent(self.confidence, form='.1f')}"
-        if self.loosest >= REACH:
+        if self.loosest is None:
+            loosest = "No size or angle varies, so that there is no spread for a workshop to reduce."
+        elif self.loosest >= REACH:
             loosest = f"Spreads may be {REACH:g} times as large or more for {confidence}."
         elif self.loosest > 0:
             loosest = f"Spreads may be {self.loosest:.2f} times as large for {confidence}."
         else:
-            loosest = f"No spread, however small, gives {confidence}."
+            loosest = (
+                f"With exact sizes the probability is {percent(self.exact_sizes)}, so no spread of sizes, "
+                f"however small, gives {confidence}."
+            )
         together = f"all {self.pillars} pillars of a plate" if self.pillars > 1 else "the pillar of a plate"
         within = [
             f"{percent(low)} to {percent(high)} for {what}"
@@ -72,18 +80,15 @@ class Tolerance(Result):
     def tables(self) -> list[Table]:
         rows: list[tuple[Cell, ...]] = []
         units = units_of(self.dataset["parameter"])
-        for path, slopes, index in zip(
-            *(self.dataset[name].values.tolist() for name in ("parameter", "slope", "total_index")),
-            strict=True,
+        names = ("parameter", "spread", "slope", "total_index")
+        for path, spread, slopes, index in zip(
+            *(self.dataset[name].values.tolist() for name in names), strict=True
         ):
-            per = {"m": (1e-5, "10 µm"), "rad": (1.745e-3, "0.1°"), "Pa": (1e9, "GPa")}
-            factor, word = per.get(units[path], (0.01, "0.01"))
-            if path == "material.density":
-                factor, word = 10.0, "10 kg/m³"
-            rows.append((path, word, *(slope * factor for slope in slopes), *index))
+            width = format_quantity(spread, units[path])
+            rows.append((path, width, *(slope * spread for slope in slopes), *index))
         edges = [Column(f"{edge} edge", "Hz", form="+.0f") for edge in ("lower", "upper")]
         index = [Column(f"index, {edge}", "", "%", ".1f") for edge in ("lower", "upper")]
-        return [Table("effects on the edges", ("parameter", "change", *edges, *index), rows)]
+        return [Table("effects on the edges", ("parameter", "spread", *edges, *index), rows)]
 
     @figure("tolerance", "Distribution of the edges, and the parameters that move them.")
     def _drawn(self) -> Figure:
@@ -97,6 +102,7 @@ class Tolerance(Result):
             "chance_of_a_plate_range": list(self.plate_range),
             "chance_of_one_pillar": self.pillar,
             "chance_of_one_pillar_range": list(self.pillar_range),
+            "chance_of_a_plate_of_exact_sizes": self.exact_sizes,
             "loosest_factor": self.loosest,
             "largest_factor_tried": REACH,
             "edges": xr.Dataset(edges),
