@@ -264,8 +264,7 @@ def uncertain(value: float, bound: float) -> str:
 
 def kind_of(unit: str) -> str:
     """Quantity of a unit: "time" for "us", "another quantity" for "dB"; empty for an unknown unit."""
-    match = _QUANTITY.fullmatch(f"1 {unit}".translate(TYPOGRAPHIC))
-    if match is None or not match["unit"]:
+    if (match := _QUANTITY.fullmatch(f"1 {unit}".translate(TYPOGRAPHIC))) is None or not match["unit"]:
         return ""
     common = [kind for of, kind in KINDS.items() if match["unit"] in _table(of)]  # without pint
     try:
@@ -283,7 +282,7 @@ def _kind(unit_text: str, unit: str) -> str:
 
 
 def example_of(unit: str) -> str:
-    """Example of a quantity in a given SI unit, for messages: ``"7 mm"`` for ``"m"``."""
+    """Example of a quantity in a given SI unit: ``"7 mm"`` for ``"m"``."""
     return EXAMPLES.get(unit, f"1 {unit}".rstrip())
 
 
@@ -294,8 +293,7 @@ def example_value(unit: str) -> float:
 
 
 def _usual_unit(number: Fraction, unit: str) -> str:
-    """Unit that is probably meant for a number without one: that of the example, or, for a value that is far
-    from the example, such as 0.006 for a length, one with another prefix."""
+    """Unit probably meant for a bare number: that of the example or, far from it, one with another prefix."""
     words, factors = example_of(unit).split(" ", 1)[1], _table(unit)
 
     def decades(prefixed: str) -> float:
@@ -322,9 +320,9 @@ def _split(text: str, refused: Callable[..., HaptonicError]) -> tuple[Fraction, 
         raise refused(f"the text is {len(text)} characters long; a quantity needs at most {LONGEST_TEXT}")
     if _NOT_FINITE.match(text):
         raise refused("it is not a finite number")
-    match = _QUANTITY.fullmatch(text.translate(TYPOGRAPHIC))
-    if match is None:
-        with_point = text.translate(TYPOGRAPHIC).replace(",", ".")
+    plain = text.translate(TYPOGRAPHIC)
+    if (match := _QUANTITY.fullmatch(plain)) is None:
+        with_point = plain.replace(",", ".")
         is_clear = _QUANTITY.fullmatch(with_point) and not _THOUSANDS.search(text)
         raise refused(_why_not_a_quantity(text), f'write "{with_point}"' if is_clear else "")
     if abs(int(match["exponent"] or 0)) > LARGEST_EXPONENT:
@@ -343,8 +341,7 @@ def as_quantity(text: str) -> str | None:
 def _why_not_a_quantity(text: str) -> str:
     if re.search(r"[0-9],[0-9]", text):
         return "a decimal comma, where a decimal point is needed"
-    strange = [character for character in text if not character.isascii() and character not in f"µ{_MU}·²³"]
-    if strange:
+    if strange := [mark for mark in text if not mark.isascii() and mark not in f"µ{_MU}·²³"]:
         return f"the character {strange[0]!a} is not expected here"
     if re.match(r"\s*[A-Za-z]", text):
         return "the number is missing"

@@ -80,5 +80,5 @@ def test_constants_of_built_in_materials_vary_in_tolerances(store_folder):
     assert row[:2] == ("material.density", "20 kg/m^3")
     assert row[2:4] == pytest.approx(tuple(20.0 * result.dataset["slope"].values[0]))
     far = replace(result, loosest=0.0, plate=0.4, exact_sizes=0.425)
-    words = "With exact sizes the probability is 42.50 %, so no spread of sizes, however small, gives a confidence"
+    words = "With exact sizes the probability is 42.50 %, so no spread of sizes, however small, gives"
     assert words in " ".join(far.summary())
