@@ -201,7 +201,15 @@ class TestKeys:
         paths = [key["path"] for key in inside("keys", pattern, "--json").json["keys"]]
         assert paths == [path for path in KEYS if path.startswith(named)]
         lines = inside("keys", pattern).out.splitlines()
-        assert [line for line in lines if line.startswith(named)] == paths
+        assert sorted(line.split()[0] for line in lines if line.startswith(named)) == sorted(paths)
+
+    def test_of_many_keys_those_of_inner_tables_are_listed_by_name(self, inside):
+        lines = inside("keys", "pillar").out.splitlines()
+        assert "cell.pillar.diameter" in lines  # with its help below
+        inner = [line for line in lines if line.startswith("cell.pillar.material.")]
+        assert sum(path.startswith("cell.pillar.material.") for path in KEYS) == len(inner)
+        assert all(len(line.split()) > 1 for line in inner)
+        assert len(lines) < 200
 
     @pytest.mark.parametrize("path", [path for path in KEYS if path.endswith("[].parameter")])
     def test_keys_that_a_parameter_may_name_are_listed(self, path):

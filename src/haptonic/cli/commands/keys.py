@@ -15,6 +15,7 @@ from haptonic.fields import Key, table
 from haptonic.fields.problems import allowed_at, example_at
 from haptonic.study import Study
 
+MANY = 25  # keys; more fill several screens
 Pattern = Annotated[
     str | None, typer.Argument(metavar="PATTERN", help="Part of a path, or a word of a key's help.")
 ]
@@ -36,14 +37,27 @@ def run(pattern: Pattern = None, json: Json = False) -> None:
 
 
 def print_keys(voice: Voice, keys: dict[str, Key], pattern: str) -> None:
-    """Print all facts of the keys whose path contains the pattern; list the others by name."""
+    """Print all facts of the keys whose path contains the pattern; list the others by name.
+
+    Of many keys, those of tables in the tables are listed by name too.
+    """
     named = {path: key for path, key in keys.items() if _plain(pattern) in _plain(path)} or keys
-    for path, key in named.items():
+    highest = min(path.count(".") for path in named)
+    is_short = len(named) <= MANY
+    whole = {path: key for path, key in named.items() if is_short or path.count(".") <= highest + 1}
+    for path, key in whole.items():
         entry(voice, path, lines(key))
+    _list(
+        voice, {path: key.label for path, key in named.items() if path not in whole}, "Keys of inner tables"
+    )
     others = {path: key.label for path, key in keys.items() if path not in named}
-    if others:
-        voice.write(f"The help of {len(others)} more keys contains the pattern:")
-        pairs(voice, others)
+    _list(voice, others, "Other keys whose help contains the pattern")
+
+
+def _list(voice: Voice, labels: dict[str, str], heading: str) -> None:
+    if labels:
+        voice.write(f"{heading} ({len(labels)}):")
+        pairs(voice, labels)
 
 
 def matching(keys: dict[str, Key], pattern: str) -> dict[str, Key]:
