@@ -9,8 +9,10 @@ from playwright.sync_api import Page
 from test_feel import PLATE, gap, response_of
 
 from browser import STILL, WIDTHS, page_at, pixels, violations, written
+from haptonic.errors import FrictionError
 from haptonic.friction.lubrication import WEBER_FRACTION
 from haptonic.friction.lubrication.law import ENDS, FrictionLaw
+from haptonic.friction.lubrication.sharing import check_force
 from haptonic.results.feel.value import Feel
 
 MAP = ".finger .map canvas"
@@ -56,8 +58,12 @@ def test_tables_give_the_law_of_every_force_and_speed(result, view):
             np.testing.assert_allclose(values, getattr(law, end), atol=1e-6)
 
 
-def test_forces_that_press_the_skin_flat_are_left_out(view):
-    assert 0.9 < float(view.dataset["force"].max()) < 1.3
+def test_forces_that_press_the_skin_flat_are_left_out(result, view):
+    touch, values = result.friction.touch, result.friction.skin.values
+    *_, before, largest = view.dataset["force"].values.tolist()
+    check_force(replace(touch, force=largest), values)
+    with pytest.raises(FrictionError, match="at rest"):
+        check_force(replace(touch, force=largest**2 / before), values)
 
 
 def felt(page: Page) -> tuple[list[float], list[float], str]:

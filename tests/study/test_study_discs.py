@@ -1,5 +1,6 @@
 """Studies whose cell has discs: read, written, refused, swept."""
 
+import numpy as np
 import pytest
 
 from five_parts import refusing
@@ -94,17 +95,44 @@ def test_a_sweep_of_the_glue_moves_the_pillar_on_it(end):
 def test_the_plan_lists_materials_and_ends_at_the_face():
     sizes = next(table for table in loads(GLUED).plan().tables() if table.title.startswith("sizes"))
     values = {row[0]: row[1] for row in sizes.rows}
-    assert values["material"] == "aluminium-paper"
     assert (values["disc[1].low"], values["disc[1].material"]) == ("0 m", "epoxy")
 
 
-def test_discs_of_one_border_move_together_unless_both_are_given():
+def test_only_ends_that_meet_move_together_unless_both_are_given():
     study = loads(GLUED)
-    first, second = "cell.disc[1].diameter", "cell.disc[2].diameter"
-    assert [disc.diameter for disc in study.with_parameter(first, 4e-3).cell.disc] == [4e-3, 4e-3]
-    both = study.with_parameters({first: 4e-3, second: 3e-3})
-    assert [disc.diameter for disc in both.cell.disc] == [4e-3, 3e-3]
-    assert [disc.diameter for disc in study.with_keys({first: "4 mm"}).cell.disc] == [4e-3, 5e-3]
+    glue, pillar = study.with_parameter("cell.disc[1].diameter", 4e-3).cell.disc
+    assert (glue.diameter, pillar.diameter) == (4e-3, 5e-3)
+    glue, pillar = study.with_parameters({"cell.disc[1].high": 1e-4, "cell.disc[2].low": 2e-5}).cell.disc
+    assert (glue.high, pillar.low) == (1e-4, 2e-5)
+    glue, pillar = study.with_keys({"cell.disc[1].high": "80 um"}).cell.disc
+    assert (glue.high, pillar.low) == pytest.approx((8e-5, 5e-5))
+
+
+SECOND = """
+[[sweep]]
+vary = "cell.disc[1].high"
+from = "50 um"
+to = "60 um"
+steps = 2
+[sweep.second]
+vary = "cell.disc[2].low"
+from = "30 um"
+to = "40 um"
+steps = 2
+"""
+
+
+def test_both_axes_of_a_sweep_begin_at_the_study():
+    """On the way, the glue ends where the pillar begins in the study, which must not join them."""
+    study = loads(GLUED.replace('high = "50 um"', 'high = "60 um"') + SECOND)
+    reached = [(d.cell.disc[0].high, d.cell.disc[1].low) for d in study.designs(study.sweep_settings[0])]
+    assert np.array(reached) == pytest.approx(np.array([(50, 30), (50, 40), (60, 30), (60, 40)]) * 1e-6)
+
+
+def test_a_ratio_of_ends_that_meet_is_refused():
+    sweep = '[[sweep]]\nvary = "cell.disc[1].high / cell.disc[2].low"\nfrom = 0.5\nto = 0.8\nsteps = 2\n'
+    with refusing(StudyError, "conflict", "vary"):
+        loads(GLUED + sweep)
 
 
 @pytest.mark.parametrize("table", ["hole", "inclusion", "coating", "cap"])

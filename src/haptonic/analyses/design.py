@@ -13,6 +13,7 @@ from haptonic.analyses.options import option
 from haptonic.analyses.runner import Runner
 from haptonic.analyses.support import made_of_parts
 from haptonic.design.brief import Brief
+from haptonic.design.discs import with_shared
 from haptonic.design.quick import QUICK
 from haptonic.errors import StudyError
 from haptonic.later import xarray as xr
@@ -99,7 +100,7 @@ def compute(study: Description, options: DesignOptions, runner: Runner) -> Desig
     return replace(
         design,
         own={path: values[path] for path in design.values},
-        study=study.without_plate().with_parameters(design.values).to_toml(),
+        study=study.without_plate().with_parameters(with_shared(study.cell, design.values)).to_toml(),
         front=front(study, design, runner) if options.pareto else None,
     )
 

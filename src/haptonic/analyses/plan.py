@@ -7,6 +7,7 @@ from haptonic.analyses.analysis import Analysis
 from haptonic.analyses.options import NoOptions
 from haptonic.analyses.runner import Runner
 from haptonic.analyses.support import every_cell
+from haptonic.errors import HaptonicError
 from haptonic.results.cost import Cost
 from haptonic.results.plan import StudyPlan
 from haptonic.study.named import expressions_of
@@ -36,11 +37,14 @@ def compute(study: Description, options: NoOptions, runner: Runner) -> StudyPlan
 
 
 def _cost(analysis: Analysis, study: Description) -> Cost:
-    """Estimated cost of an analysis, or the error with which it refuses the study's cell."""
+    """Estimated cost of an analysis, or the error with which it refuses the study."""
     assert analysis.cost is not None
     options = analysis.options()
-    refusal = analysis.supports(study.cell, options)
-    return analysis.cost(study, options) if refusal is None else Cost(0.0, refusal=refusal)
+    try:
+        analysis.admit(study, options)
+    except HaptonicError as refusal:
+        return Cost(0.0, refusal=refusal)
+    return analysis.cost(study, options)
 
 
 ANALYSIS = Analysis(

@@ -58,7 +58,8 @@ class PlateOptions:
 def check(study: Description, options: PlateOptions) -> None:
     """Raise an error if the study has no plate, or if its tiles do not resolve the frequencies."""
     plate = study.mounted_plate()
-    highest = (options.settings or response_settings(study)).highest if options.at is None else options.at
+    settings = options.settings or response_settings(study)
+    highest = max(settings.highest, *study.carriers) if options.at is None else options.at
     check_waves(study, plate, highest)
 
 

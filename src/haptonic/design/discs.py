@@ -1,8 +1,9 @@
 """Numbers of discs that move together, and those that a designer can change without a change of the grid.
 
-Discs that share an end, a border or a material go on sharing it in every design, sweep and fit: such equal
-numbers count as one. A design follows one mesh: an end at a face of the plate stays there, and a number that
-would part the sides of two discs, such as the angle of a cone below a cap, is fixed.
+A design follows one mesh. Discs that share an end, a border or a material go on sharing it, so that such
+equal numbers count as one and move together. An end at a face of the plate stays there. A number that would
+part the sides of two discs, such as the angle of a cone below a cap, is fixed. In sweeps and fits, every
+design has a mesh of its own, and only ends that meet move together.
 """
 
 from __future__ import annotations
@@ -10,6 +11,7 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping, Sequence
 from functools import lru_cache
+from typing import Any
 
 import numpy as np
 
@@ -19,6 +21,7 @@ from haptonic.cell.stack import Stack
 from haptonic.fields import with_numbers
 
 DISC = re.compile(r"cell\.(?P<table>(?:site\[\d+\]\.)?)disc\[(?P<number>\d+)\]\.(?P<name>.+)")
+END = re.compile(r"cell\.(?P<table>(?:site\[\d+\]\.)?)disc\[\d+\]\.(?P<name>low|high)")
 DIGITS = 8  # of equal numbers of one border
 SLIGHT = 1e-5  # relative change of a number that must not part the sides of two discs
 PARTED = (
@@ -35,11 +38,8 @@ def stacks_of(cell: UnitCell) -> dict[str, Stack]:
 
 
 @lru_cache(maxsize=64)
-def shared_numbers(cell: UnitCell) -> tuple[tuple[str, ...], ...]:
-    """Paths of numbers of discs, in groups of equal ones that move together; most groups have one member.
-
-    Ends at the faces of the plate and below its middle, and corners without rounding, are in no group.
-    """
+def moving_together(cell: UnitCell) -> dict[str, tuple[str, ...]]:
+    """Numbers of discs that designs can vary, each with the paths of the equal numbers that move with it."""
     groups: dict[tuple[object, ...], list[str]] = {}
     stacks = stacks_of(cell)
     for path, value in cell.numbers().items():
@@ -58,13 +58,7 @@ def shared_numbers(cell: UnitCell) -> tuple[tuple[str, ...], ...]:
             border = stack.border_of(int(named["number"]) - 1)
             share = round(value if name == "draft" else value / stack.widest, DIGITS)
             groups.setdefault((table, name, disc.section, border, share), []).append(path)
-    return tuple(map(tuple, groups.values()))
-
-
-@lru_cache(maxsize=64)
-def moving_together(cell: UnitCell) -> dict[str, tuple[str, ...]]:
-    """Numbers of discs that designs can vary, each with the paths of the equal numbers that move with it."""
-    return {group[0]: group[1:] for group in shared_numbers(cell) if _keeps(cell, group)}
+    return {first: tuple(others) for first, *others in groups.values() if _keeps(cell, [first, *others])}
 
 
 def _keeps(cell: UnitCell, paths: Sequence[str]) -> bool:
@@ -79,14 +73,31 @@ def _keeps(cell: UnitCell, paths: Sequence[str]) -> bool:
 
 
 def with_shared(cell: UnitCell, values: Mapping[str, float]) -> dict[str, float]:
-    """New values of numbers of a cell, and of the numbers of discs that move with them."""
-    moved = {
-        path: values[changed]
-        for group in shared_numbers(cell)
-        for changed in group
-        if changed in values
-        for path in group
-    }
+    """New values of numbers of a cell, and of the numbers of discs that move with them in designs."""
+    together = moving_together(cell)
+    others = {other: value for path, value in values.items() for other in together.get(path, ())}
+    return {**values, **others}
+
+
+def with_joined(cell: UnitCell, values: Mapping[str, Any]) -> dict[str, Any]:
+    """New values of numbers of a cell, and of the ends of discs that meet those that change.
+
+    Ends meet if one disc ends where another one of its stack begins, as a pillar on its glue does.
+    """
+    numbers = cell.numbers()
+    moved = {}
+    for path, value in values.items():
+        if (changed := END.fullmatch(path)) is None or path not in numbers:
+            continue
+        near = [
+            (other, named["name"])
+            for other, height in numbers.items()
+            if (named := END.fullmatch(other)) is not None
+            and named["table"] == changed["table"]
+            and abs(height - numbers[path]) <= SAME * cell.thickness
+        ]
+        if len({name for _, name in near}) > 1:
+            moved.update(dict.fromkeys((other for other, _ in near), value))
     return {**moved, **values}
 
 

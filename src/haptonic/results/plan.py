@@ -95,9 +95,9 @@ class StudyPlan(Result):
         values += [
             (path, format_quantity(value, declared.unit) if declared else str(value))
             for path, value, declared in leaves(self.cell, "cell.")
-            if (path.startswith("cell.") or path == "material")
+            if path.startswith("cell.")
             and (value or path.endswith((".low", ".high")))
-            and (declared or path.endswith(("section", "material")))
+            and (declared or path.endswith((".section", ".material")))
         ]
         sizes: list[tuple[Cell, ...]] = [
             (path.removeprefix("cell."), value, *([self.expressions.get(path)] if self.expressions else []))

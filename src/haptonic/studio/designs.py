@@ -6,7 +6,7 @@ import math
 from collections.abc import Mapping
 from pathlib import Path
 
-from haptonic.design.discs import with_shared
+from haptonic.design.discs import with_joined
 from haptonic.errors import HaptonicError
 from haptonic.studio.editing import changed, steps_of
 from haptonic.study import Study
@@ -18,7 +18,7 @@ DIGITS = 10  # of a written number: enough for `SAME`, too few for 0.44000000000
 
 
 def design_text(text: str, changes: Mapping[str, float], folder: Path) -> str:
-    """The text of a study with other numbers (SI, by path) and those of discs that move with them.
+    """The text of a study with other numbers (SI, by path) and the ends of discs that meet them.
 
     Comments and all other tables stay. If the text gives such a number in another way, such as by the name
     of a material, the whole study is written again.
@@ -30,7 +30,7 @@ def design_text(text: str, changes: Mapping[str, float], folder: Path) -> str:
     study, _, problems = examined(text, Study, folder)
     if study is None:
         raise problems[0]
-    changes = with_shared(study.cell, changes)
+    changes = with_joined(study.cell, changes)
     units, own = study.units(), study.parameters()
     result = text
     try:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import Any
 
-from haptonic.design.discs import with_shared
+from haptonic.design.discs import with_joined
 from haptonic.design.links import Links
 from haptonic.errors import HaptonicError, StudyError
 from haptonic.fields import ExpressedNumber
@@ -25,14 +25,14 @@ def expressed_numbers(study: Any) -> Iterator[tuple[str, ExpressedNumber]]:
 def with_dependents(study: Any, values: Mapping[str, Any]) -> dict[str, Any]:
     """Changes of numbers, by path, and of the numbers that move with them.
 
-    These are equal numbers of discs that share an end, a border or a material, and numbers whose expressions
-    use a changed parameter. A number that is changed itself does not follow its expression any more.
+    These are ends of discs that meet, and numbers whose expressions use a changed parameter. A number that is
+    changed itself does not follow its expression any more.
 
     Raises
     ------
     StudyError : an expression without a value for the changed parameters
     """
-    values = with_shared(study.cell, values)
+    values = with_joined(study.cell, values)
     changed = {path.removeprefix(NAMED): v for path, v in values.items() if path.startswith(NAMED)}
     if not changed:
         return values

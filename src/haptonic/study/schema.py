@@ -325,11 +325,12 @@ class Description:
 
     def _design(self, sweep: SweepSettings, values: Sequence[float]) -> Self:
         """The study in which the expressions of a sweep have these values."""
-        design = self
+        design, wanted = self, dict[str, float]()
         for axis in sweep.order:
-            design = design.solved(sweep.axes[axis].expression, values[axis])
-        if self.named_parameters:
-            check_reached(sweep, values, design.parameters())
+            varied = sweep.axes[axis].expression
+            wanted[varied.varied] = solve(varied, values[axis], design.parameters(), self.absent_parameters())
+            design = self.with_parameters(wanted)
+        check_reached(sweep, values, design.parameters())
         return design
 
     def unusual(self) -> tuple[str, ...]:

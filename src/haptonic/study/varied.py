@@ -202,7 +202,7 @@ def check_reached(sweep: SweepSettings, values: Sequence[float], parameters: Map
 
     Raises
     ------
-    StudyError : numbers of the expression depend on each other through named parameters
+    StudyError : numbers of the expression depend on each other
     """
     for axis, value in zip(sweep.axes, values, strict=True):
         if not math.isclose(axis.expression.value(parameters), value, rel_tol=SAME):
@@ -210,6 +210,6 @@ def check_reached(sweep: SweepSettings, values: Sequence[float], parameters: Map
                 argument=VARY,
                 given=shown(axis.vary),
                 allowed="an expression whose other numbers do not depend on the number that varies",
-                cause="a number in it follows a named parameter that this sweep changes as well",
-                next_step="vary the parameter alone, or exchange the two expressions",
+                cause="a number in it follows a parameter or the end of a disc that this sweep changes",
+                next_step="vary one of these alone, or exchange the two expressions",
             )

@@ -30,9 +30,9 @@ from haptonic.superelement.symmetry import fold, fold_rim
 from haptonic.superelement.trace import FoldedTrace
 
 # Away from edges, energies of the degrees of tetrahedra fall more slowly from the highest degree on than up
-# to it, by at most this factor. With 3 and 5, the least ratio of estimate and error at order 3 is 0.9 and 1.4
-# for a hole, 1.1 and 1.4 for a blind one.
-SLOWER = 5.0
+# to it, by at most this factor. With 3, 5 and 10, the least ratio of estimate and error at order 3 is 0.9,
+# 1.4 and 2.9 for a hole; with 5, it is 0.9 for a neck of 0.4 mm between two holes.
+SLOWER = 10.0
 CLASSES = 4  # of most tiles meshed in blocks; a tile without classes gets as many directions in all
 NO_SECTIONS = np.zeros((3, 0))  # height, mass and inertia of pillar sections; a file's solids have none
 

@@ -53,7 +53,7 @@ def predict(
     the ends (``_low``, ``_high``) of the interval that contains 95 % of the draws, NaN if a draw has no
     solution; ``low`` and ``high``, the ends of the interval over both models and their values, which a model
     without an interval may have. The attribute ``assumptions`` (JSON) lists every parameter with its mark;
-    ``pressed_flat`` is the share of draws that the force presses flat, which are left out.
+    ``pressed_flat`` is the share of draws that the force presses flat, which load sharing leaves out.
 
     Raises
     ------
@@ -111,8 +111,9 @@ def with_interval(
     seed: int = 0,
 ) -> Array:
     """(3, amplitude) friction by one model: the value, and the ends of its interval; see `predict`."""
-    drawn = {name: numbers[:, None] for name, numbers in plausible(touch, finger, samples, seed).items()}
-    cloud = model(amplitude, touch, drawn)
+    needs_gap = model is shared_friction  # intermittent contact does not depend on the force
+    drawn = plausible(touch, finger, samples, seed) if needs_gap else finger.sampled(samples, seed)
+    cloud = model(amplitude, touch, {name: numbers[:, None] for name, numbers in drawn.items()})
     return np.stack([model(amplitude, touch, finger.values), *np.quantile(cloud, QUANTILES, axis=0)])
 
 

@@ -38,8 +38,8 @@ def check_resolved(layout: Layout, orders: TraceOrders, highest: float, *, rough
             argument="frequency",
             given=format_quantity(highest, "Hz"),
             allowed=f"at most {limit} on this plate, of which a tile is {edge} long",
-            cause=f"bending waves are shorter than polynomials of order {orders.along} along such an edge "
-            + ("can represent" if roughly else "resolve to 1 % in frequency"),
+            cause=f"bending waves above {limit} are too short for polynomials of order {orders.along} along "
+            f"a tile to {'represent' if roughly else 'resolve to 1 % in frequency'}",
             next_step="ask for a lower frequency (`highest` in [plate.response], or --at), or draw plain "
             "plate with more and smaller tiles",
         )
