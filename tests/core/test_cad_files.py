@@ -189,6 +189,16 @@ class TestRefusals:
         cell = UnitCell(SQUARE, THICKNESS, ALUMINIUM, solid=Solid(file=str(tmp_path / "loose.step")))
         assert "2 pieces" in self.refused(cell).given
 
+    def test_a_cone_with_a_tip(self, tmp_path):
+        plate = prism(7 * MM * (np.array([(0, 0), (1, 0), (1, 1), (0, 1)]) - 0.5), 0.0, THICKNESS)
+        (plate + occ.Cone(occ.Axes((0, 0, 1.5), occ.Z), 1.8, 0.0, 4, 2 * np.pi)).WriteStep(
+            str(tmp_path / "tip.step")
+        )
+        cell = UnitCell(SQUARE, THICKNESS, ALUMINIUM, solid=Solid(file=str(tmp_path / "tip.step")))
+        error = self.refused(cell)
+        assert "Netgen" in error.given
+        assert "tip" in error.next_step
+
     def test_a_plate_that_is_not_normal_to_z(self, tmp_path):
         plate = occ.Box(occ.Pnt(-3.5, 0, -3.5), occ.Pnt(3.5, THICKNESS / MM, 3.5))
         plate.WriteStep(str(tmp_path / "tilted.step"))

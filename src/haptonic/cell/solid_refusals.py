@@ -82,6 +82,11 @@ def no_period(answer: dict[str, Any], thickness: float, unit: str) -> GeometryEr
             "a gap between two solids, perhaps too small to be seen, or solids that touch at an edge only",
             "close the gap in the program that drew them; solids that touch exactly are joined",
         ),
+        "unmeshed": (
+            f"solids that Netgen cannot mesh: {answer['text']}", "surfaces without tips and slivers",
+            "a surface ends in a point, such as the tip of a cone, or has parts far smaller than the plate",
+            "cut off the tip, or remove the small parts, in the program that drew them",
+        ),
         "materials": (
             "several solids along the sides of the cell", "one solid along all sides",
             "the plate consists of layers, or solids meet where cells do",

@@ -77,7 +77,7 @@ class DrawnPeriod(FilledTile):
         self.volumes = [float(solid.mass) for solid in solids]
         self.parts: list[Any] = []
         self.body: Any = None
-        self._mesh: Any = None
+        self.mesh: Any = None  # of Netgen, if the solids form a period
         self.singular: set[str] = set()  # names of edges with singular stress, once there is a mesh
         if not solids:
             self.problem = "empty"
@@ -88,18 +88,21 @@ class DrawnPeriod(FilledTile):
         for origin in _origins(whole, solids):
             self._cut([solid.Move(occ.Vec(-origin[0], -origin[1], 0.0)) for solid in solids])
             if not self.problem:
+                self._make_mesh()
                 return
             first = first or (self.problem, self.number)
         assert first is not None
         self.problem, self.number = first
         self.place = extent
 
-    @property
-    def mesh(self) -> Any:
-        """Netgen's mesh of the period, made on first use."""
-        if self._mesh is None:
-            self._mesh = _meshed(self)
-        return self._mesh
+    def _make_mesh(self) -> None:
+        """Mesh the period; if this fails, `problem` is the reason."""
+        from netgen.meshing import NgException
+
+        try:
+            self.mesh = _meshed(self)
+        except NgException as error:
+            self.problem, self.text = "unmeshed", str(error)
 
     @property
     def part_names(self) -> list[str]:
