@@ -182,6 +182,17 @@ def test_bands_of_another_pitch_share_the_corners_of_the_first():
     assert len([line for line in axes.lines if line.get_gid() == "carrier"]) <= 1
 
 
+def test_bands_on_a_logarithmic_axis_keep_its_powers():
+    axes = Figure(layout="constrained").add_subplot()
+    axes.set_yscale("log")
+    Bands(reference_bands()).plot(ax=axes)
+    axes.get_figure().draw_without_rendering()
+    assert 0 < axes.get_ylim()[0] < axes.get_ylim()[1]
+    powers = [label for label in axes.get_yticklabels() if "$" in label.get_text()]
+    assert powers
+    assert all(label.get_parse_math() for label in powers)
+
+
 def test_bands_without_gaps():
     figure = Bands(reference_bands()).plot(gaps=False, label="a $ b")
     axes = figure.axes[0]

@@ -100,7 +100,7 @@ def dispersion(
     else:
         dataset = _stretched(dataset, corners)
         top = max(top, axes.get_ylim()[1] * (1 - room_on_top(axes)))
-    axes.set_ylim(0, top)
+    axes.set_ylim(0 if axes.get_yscale() == "linear" else None, top)
     _shade_incomplete(axes, dataset, named=on.own)
     colour = style.INK if natures else colours([style.INK])[0]
     is_one_of_several = label is not None or corners is not None
@@ -238,7 +238,7 @@ def _shade_incomplete(axes: Axes, dataset: xr.Dataset, *, named: bool) -> None:
         lowest / 1e3, 2 * top, facecolor=style.BEYOND, edgecolor="none", zorder=-1, gid="beyond",
         label=name if named and top > lowest / 1e3 * (1 + 1e-9) else None,
     )  # fmt: skip
-    axes.set_ylim(0, top)
+    axes.set_ylim(top=top)
 
 
 def complete_gaps(dataset: xr.Dataset) -> list[tuple[float, float, float, float]]:

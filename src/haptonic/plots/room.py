@@ -81,7 +81,7 @@ def legend_on_top(axes: Axes, handles: Sequence[Artist], clear: float) -> None:
     columns = max(1, min(len(handles), int(wide / ((LETTER * longest + HANDLE) * size))))
     share = min((1.5 * math.ceil(len(handles) / columns) + 1.5) * size / tall, ROOM)
     axes.legend(handles=handles, loc="upper center", ncols=columns).set_gid(f"{LEGEND} {share}")
-    axes.set_ylim(0, max(axes.get_ylim()[1], clear / (1 - share)))
+    axes.set_ylim(top=max(axes.get_ylim()[1], clear / (1 - share)))
 
 
 def room_on_top(axes: Axes) -> float:

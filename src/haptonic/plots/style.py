@@ -20,7 +20,13 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 from matplotlib.text import Text
-from matplotlib.ticker import FixedLocator, FuncFormatter, LogFormatterSciNotation, MaxNLocator
+from matplotlib.ticker import (
+    FixedFormatter,
+    FixedLocator,
+    FuncFormatter,
+    LogFormatterSciNotation,
+    MaxNLocator,
+)
 
 from haptonic.atomic import refuse_overwrite, write_atomically
 from haptonic.names import latex
@@ -106,7 +112,9 @@ def drawn(make: Callable[P, Figure]) -> Callable[P, Figure]:
         ax = kwargs.get("ax")
         if isinstance(ax, Axes) and ax.get_figure() is not None:
             with mpl.rc_context({"text.parse_math": False}), _safe_in_latex(ax):  # see _STYLE
-                return make(*args, **kwargs)
+                figure = make(*args, **kwargs)
+            _allow_powers(ax)
+            return figure
         with styled():
             figure = make(*args, **kwargs)
             weigh(figure, choice().look.type / PAGE.type)
@@ -118,6 +126,14 @@ def drawn(make: Callable[P, Figure]) -> Callable[P, Figure]:
             return figure
 
     return inside
+
+
+def _allow_powers(axes: Axes) -> None:
+    """Let numbers at ticks contain formulas, such as the powers of a logarithmic axis; names may not."""
+    for axis in (axes.xaxis, axes.yaxis):
+        if not isinstance(axis.get_major_formatter(), FixedFormatter):
+            for tick in (*axis.get_major_ticks(), *axis.get_minor_ticks()):
+                tick.label1.set_parse_math(True)
 
 
 @contextmanager
