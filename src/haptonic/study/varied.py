@@ -210,6 +210,6 @@ def check_reached(sweep: SweepSettings, values: Sequence[float], parameters: Map
                 argument=VARY,
                 given=shown(axis.vary),
                 allowed="an expression whose other numbers do not depend on the number that varies",
-                cause="a number in it follows a parameter or the end of a disc that this sweep changes",
+                cause="a number in it follows a named parameter or an end of a disc that this sweep changes",
                 next_step="vary one of these alone, or exchange the two expressions",
             )
