@@ -39,13 +39,7 @@ class Errands:
         HaptonicError : of the computation or of the export, or the process has died
         """
         with self._lock:
-            if self._worker is None or not self._worker.process.is_alive():
-                self._worker = Worker(self._heard, self._work)
-            worker = self._worker
-            try:
-                worker.connection.send(order)
-            except OSError:  # it has died just now
-                raise worker_died(worker.process.exitcode) from None
+            worker = self._sent(order)
             while True:
                 sender, kind, content = self._messages.get()
                 if sender is not worker:
@@ -56,6 +50,18 @@ class Errands:
                     raise HaptonicError(content.pop("code"), **content)
                 if kind == "ended":
                     raise worker_died(content)
+
+    def _sent(self, order: Order) -> Worker:
+        """Send an order to the process, or to a new one if it has ended."""
+        if self._worker is not None:
+            try:
+                self._worker.connection.send(order)
+                return self._worker
+            except OSError:  # it has ended, perhaps just now
+                pass
+        self._worker = Worker(self._heard, self._work)
+        self._worker.connection.send(order)
+        return self._worker
 
     def _heard(self, worker: Worker, kind: str, number: int, content: Any) -> None:
         self._messages.put((worker, kind, content))
