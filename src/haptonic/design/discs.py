@@ -21,7 +21,6 @@ from haptonic.cell.stack import Stack
 from haptonic.fields import with_numbers
 
 DISC = re.compile(r"cell\.(?P<table>(?:site\[\d+\]\.)?)disc\[(?P<number>\d+)\]\.(?P<name>.+)")
-END = re.compile(r"cell\.(?P<table>(?:site\[\d+\]\.)?)disc\[\d+\]\.(?P<name>low|high)")
 DIGITS = 8  # of equal numbers of one border
 SLIGHT = 1e-5  # relative change of a number that must not part the sides of two discs
 PARTED = (
@@ -84,20 +83,22 @@ def with_joined(cell: UnitCell, values: Mapping[str, Any]) -> dict[str, Any]:
 
     Ends meet if one disc ends where another one of its stack begins, as a pillar on its glue does.
     """
-    numbers = cell.numbers()
-    moved = {}
+    ends = {
+        path: (named["table"], height, named["name"])
+        for path, height in cell.numbers().items()
+        if (named := DISC.fullmatch(path)) and named["name"] in ("low", "high")
+    }
+    moved: dict[str, Any] = {}
     for path, value in values.items():
-        if (changed := END.fullmatch(path)) is None or path not in numbers:
-            continue
-        near = [
-            (other, named["name"])
-            for other, height in numbers.items()
-            if (named := END.fullmatch(other)) is not None
-            and named["table"] == changed["table"]
-            and abs(height - numbers[path]) <= SAME * cell.thickness
-        ]
-        if len({name for _, name in near}) > 1:
-            moved.update(dict.fromkeys((other for other, _ in near), value))
+        if path in ends:
+            table, changed, _ = ends[path]
+            near = {
+                end: name
+                for end, (same, height, name) in ends.items()
+                if same == table and abs(height - changed) <= SAME * cell.thickness
+            }
+            if len(set(near.values())) > 1:
+                moved |= dict.fromkeys(near, value)
     return {**moved, **values}
 
 

@@ -76,14 +76,14 @@ def check_possible(cell: UnitCell, spreads: Sequence[Spread], count: int, links:
             middle = 0.5 * (low + high)
             possible = _reason_impossible(cell, spread, links, middle) is None
             low, high = (middle, high) if possible else (low, middle)
-        widths = REACH * spread.half_range / spread.spread
-        farthest = format_quantity(widths * spread.spread, spread.unit)
+        farthest = REACH * spread.half_range
         largest = format_quantity(0.99 * low * spread.spread, spread.unit, digits=3)
         raise StudyError.out_of_range(
             argument=f"tolerance.of[{position}].spread",
             given=f"{format_quantity(spread.spread, spread.unit)} for {spread.parameter}",
             allowed=f"at most {largest}",
-            cause=f"designs up to {widths:g} spreads away, {farthest}, are computed: "
+            cause=f"designs up to {farthest / spread.spread:g} spreads away, "
+            f"{format_quantity(farthest, spread.unit)}, are computed: "
             f"{reason.argument} would be {reason.given}: {reason.cause}",
             next_step=f'give at most "{largest}"',
         )

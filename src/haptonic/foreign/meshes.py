@@ -46,13 +46,8 @@ class MeshPeriod(FilledTile):
             self.problem, self.number, self.text = refused.kind, refused.number, refused.text
             self.place = refused.place
 
-    def near_edges(self, mesh: Any) -> Any:
-        """All elements, because a file does not mark its edges."""
-        import ngsolve as ng
-
-        near = ng.BitArray(mesh.ne)
-        near.Set()
-        return near
+    def near_edges(self, mesh: Any) -> None:
+        """None for all elements, because a file does not mark its edges."""
 
     def _read(self, whole: NamedElements, with_material: Sequence[str]) -> None:
         import ngsolve as ng

@@ -79,8 +79,8 @@ def assembled(
     places), their values from those of the trace; ``above`` like the mass, for the parts beyond the plate's
     faces; ``points`` (n, 3) of the surface, ``cells`` (m, 4) quadrilaterals of it, seen from outside
     anticlockwise, ``lower`` (faces, n, n) nodes of quadrilaterals on the face at z = 0, and ``shown``, values
-    at the points from unknowns; ``degree`` of the polynomial of each scalar unknown, at least two below
-    the order; ``near`` like the stiffness, of elements near singular edges.
+    at the points from unknowns; ``degree`` of the polynomial of each scalar unknown, see `_degrees`;
+    ``near`` like the stiffness, of elements near singular edges, None if these may be all.
     """
     import ngsolve as ng
 
@@ -96,7 +96,10 @@ def assembled(
     u, v = vector.TnT()
     work = ng.InnerProduct(hooke * _strain(ng.Grad(u)), _strain(ng.Grad(v)))
     form = ng.BilinearForm(work * ng.dx).Assemble()
-    near = ng.BilinearForm(work * ng.dx(definedonelements=period.near_edges(mesh))).Assemble()
+    marked = period.near_edges(mesh)
+    near = None
+    if marked is not None:
+        near = _triplets(ng.BilinearForm(work * ng.dx(definedonelements=marked)).Assemble(), metres)
     a, b = scalar.TnT()
     mass = ng.BilinearForm(heavy * a * b * ng.dx).Assemble()
     beyond = ng.IfPos(ng.z - period.thickness, 1.0, ng.IfPos(ng.z, 0.0, 1.0))
@@ -115,7 +118,7 @@ def assembled(
         "lower": lower,
         "shown": shown,
         "degree": _degrees(mesh, scalar, order),
-        "near": _triplets(near, metres),
+        "near": near,
     }
 
 

@@ -67,7 +67,7 @@ class SolidBody:
 
     stiffness, mass : sparse, N/m and kg; above : share of the mass beyond the plate's faces
     inner, outer : numbers of the unknowns inside and on the lateral faces
-    degree : of the polynomial of each unknown, at least two below the elements' order
+    degree : of the polynomial of each unknown; lower ones than the elements' order - 2 count as this degree
     near : stiffness of the elements near singular edges, N/m
     on_sides : (outer, t) motion of the lateral faces from the trace (level, place, component)
     shown : (3 points, 3 n) displacement at the points of the surface
@@ -139,7 +139,7 @@ class SolidBody:
             inner=inner,
             outer=outer,
             degree=np.tile(assembly["degree"], 3),
-            near=_sparse(assembly["near"]),
+            near=_sparse(assembly["near"] or assembly["stiffness"]),
             on_sides=np.einsum("nt,ij->intj", trace, np.eye(3)).reshape(3 * len(trace), -1),
             shown=_by_point(of_points),
             mesh=mesh,

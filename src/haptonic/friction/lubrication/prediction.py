@@ -88,10 +88,10 @@ def predict(
     }
     for name, words in VALID.items():
         data[name][2]["validity"] = words
-    kept = len(plausible(touch, finger, samples, seed)["contact_gap"])
+    flat = gap_at_rest(touch, finger.sampled(samples, seed)) <= 0
     attributes = {
         "origin": "simulated",
-        "pressed_flat": 1 - kept / samples,
+        "pressed_flat": float(flat.mean()),
         "touch": json.dumps({"frequency": touch.frequency, "force": touch.force, "speed": touch.speed}),
         "assumptions": json.dumps(finger.assumptions()),
         "samples": samples,

@@ -154,7 +154,7 @@ LOADS = (FREE, "low", "value", "high")  # by the damping of the finger
 def highest(plate: Plate, middle: float, fineness: Fineness | None = None) -> float:
     """Highest frequency of a basis for the vibration near a frequency, Hz, within what tiles resolve."""
     resolved = (fineness or Fineness()).highest_resolved(plate.layout)
-    return max(middle, min((1 + NEAR) * middle, 0.999 * resolved))
+    return max(middle, min((1 + NEAR) * middle, 0.999 * resolved))  # slightly below, whatever the rounding
 
 
 def loaded(
