@@ -163,6 +163,11 @@ class TestOthers:
         assert costs[0]["processor_s"] < costs[1]["processor_s"]
         assert costs[0]["memory_b"] < costs[1]["memory_b"]
 
+    def test_the_memory_is_that_of_the_mesh_which_is_always_computed(self):
+        study = STUDIES["mirror"]
+        first, finer = meshes_of(study)
+        assert meshes(study).memory == first.memory(study.cell) < finer.memory(study.cell)
+
     def test_every_analysis_that_computes_has_a_forecast(self):
         assert {name for name in NAMES if named(name).cost} == set(NAMES) - {"plan", "compare"}
 

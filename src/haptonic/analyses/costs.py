@@ -21,6 +21,7 @@ ZONE = 0.2  # s, of the search for gaps
 def meshes(study: Description, second: float = SECOND) -> Cost:
     """Estimated cost of the models of a cell: the first mesh, and a share of the next; or the refusal.
 
+    The memory is that of the first mesh: the next is computed only if its memory is free.
     `haptonic.bloch.mesh_levels` selects the meshes, as in the computation; its estimates and the budget do
     not depend on the sparse solver, so that a study gives the same answer with each of them.
     """
@@ -33,7 +34,7 @@ def meshes(study: Description, second: float = SECOND) -> Cost:
         mesh.seconds(cell) for mesh in resolutions[1:]
     )
     seconds *= solvers.chosen().slower
-    return Cost(seconds, max(mesh.memory(cell) for mesh in resolutions), budget=study.bands_settings.budget)
+    return Cost(seconds, resolutions[0].memory(cell), budget=study.bands_settings.budget)
 
 
 def gaps(study: Description) -> Cost:
