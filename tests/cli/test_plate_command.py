@@ -20,7 +20,7 @@ pytestmark = pytest.mark.usefixtures("empty_pictures")
 
 PICTURES = ("plan", "maps", "velocity", "contrast", "impedance-A1")
 FILES = {
-    "response.nc", "maps.nc", "plate.nc", "modes.nc", "plate.vtu", "carrier.webp",
+    "response.nc", "maps.nc", "plate.nc", "modes.nc", "plate.vtu", "carrier.gif",
     *(f"{name}.{kind}" for name in PICTURES for kind in ("svg", "png")),
 }  # fmt: skip
 

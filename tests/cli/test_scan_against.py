@@ -31,7 +31,7 @@ from = 1e-3
 to = 2e-2
 """
 TRUE = 5e-3  # loss factor of the scanned plate
-MAPS = {"response.nc", "scan.nc", "points.csv", "shape.webp", "maps.png", "contrast.png", "quality.png"}
+MAPS = {"response.nc", "scan.nc", "points.csv", "shape.gif", "maps.png", "contrast.png", "quality.png"}
 VERDICT = {"verdict.nc", "verdict.json", "model.nc", "fitted.toml", "mac.png", "frac.png", "before-after.png"}
 
 pytestmark = pytest.mark.filterwarnings("ignore:the period of:haptonic.errors.HaptonicWarning")

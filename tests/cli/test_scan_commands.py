@@ -40,7 +40,7 @@ PLACES = {
 CHIRP = {"drive.wav", "drive.csv", "drive.h5", "drive.json", "scan_plan.csv",
          *(f"{name}.{kind}" for name in ("signal", "scan-plan") for kind in ("svg", "png"))}  # fmt: skip
 PICTURES = ("average", "maps", "quality", "contrast", "velocity", "decay", "waves-WG1", "waves-WG2")
-SCAN = {"response.nc", "scan.nc", "points.csv", "shape.webp",
+SCAN = {"response.nc", "scan.nc", "points.csv", "shape.gif",
         *(f"{name}.{kind}" for name in PICTURES for kind in ("svg", "png"))}  # fmt: skip
 
 pytestmark = [

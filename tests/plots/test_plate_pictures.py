@@ -425,7 +425,7 @@ class TestPlan:
 
 @pytest.fixture(scope="module")
 def moving(tmp_path_factory):
-    path = tmp_path_factory.mktemp("moving") / "a.webp"
+    path = tmp_path_factory.mktemp("moving") / "a.gif"
     path.write_bytes(plots.animated(vibration(), 58.8e3, prototype()))
     return path
 
@@ -442,10 +442,10 @@ class TestAnimation:
 
     def test_one_cycle_that_repeats_in_a_small_file(self, moving):
         with Image.open(moving) as picture:
-            assert picture.format == "WEBP"
+            assert picture.format == "GIF"
             assert picture.n_frames == FRAMES == 24
             assert picture.info["loop"] == 0
-        assert moving.stat().st_size < 400_000
+        assert moving.stat().st_size < 1_000_000
 
     def test_it_swings_as_a_cosine_and_only_where_the_plate_moves(self, moving):
         """Red minus blue follows the velocity: largest at the beginning, opposite half a cycle later."""
@@ -471,7 +471,7 @@ class TestAnimation:
             origin="simulated",
         )  # fmt: skip
         bare = Layout((("",),), (0.0, 0.127), (0.0, 0.14), {}, 1e-3, ALUMINIUM)
-        path = tmp_path / "a.webp"
+        path = tmp_path / "a.gif"
         path.write_bytes(plots.animated(running, 58.8e3, replace(bare, tiles=((None,),))))
         tint = (lambda f: f[..., 0] - f[..., 2])(self.frames(path))
         height, width = tint.shape[1:]

@@ -24,7 +24,7 @@ class Picture:
     """A figure with its caption and its alternative text.
 
     name : name for the findings of its chapter
-    moving : returns the animated picture, as WebP
+    moving : returns the animated picture, as GIF
     number : in the order of the page
     """
 
@@ -43,7 +43,7 @@ def filled(template: str, **values: object) -> str:
         finalize=_unbroken,
     )  # fmt: skip
     environment.filters["embedded"] = embedded
-    environment.filters["webp"] = lambda content: address(content, "webp")
+    environment.filters["film"] = lambda content: address(content, "gif")
     text = files("haptonic.pages").joinpath(template).read_text("utf-8")
     return environment.from_string(text).render(**values)
 

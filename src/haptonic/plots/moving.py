@@ -15,6 +15,7 @@ from haptonic.plots import style
 FRAMES = 24  # of a cycle
 FRAME_SECONDS = 0.05
 FRAME_DOTS = 160  # per inch
+PALETTE = 4  # every fourth frame determines the colours
 
 
 def moments(count: int) -> list[complex]:
@@ -23,7 +24,9 @@ def moments(count: int) -> list[complex]:
 
 
 def moving(figure: Figure, turned: Callable[[complex], object], frames: int = FRAMES) -> bytes:
-    """A figure at evenly spaced moments of a cycle, as WebP.
+    """A figure at evenly spaced moments of a cycle, as GIF, which slides and browsers play.
+
+    All frames share their 256 colours without dithering, so that what does not move does not flicker.
 
     Parameters
     ----------
@@ -38,10 +41,15 @@ def moving(figure: Figure, turned: Callable[[complex], object], frames: int = FR
         canvas.draw()  # type: ignore[no-untyped-call]
         pixels = np.asarray(canvas.buffer_rgba())  # type: ignore[no-untyped-call]
         pictures.append(Image.fromarray(pixels).convert("RGB"))
+    height = pictures[0].height
+    sample = Image.new("RGB", (pictures[0].width, height * len(pictures[::PALETTE])))
+    for i, picture in enumerate(pictures[::PALETTE]):
+        sample.paste(picture, (0, i * height))
+    palette = sample.quantize(256)
+    pictures = [picture.quantize(palette=palette, dither=Image.Dither.NONE) for picture in pictures]
     stream = io.BytesIO()
     milliseconds = round(1e3 * FRAME_SECONDS * FRAMES / frames)
     pictures[0].save(
-        stream, format="WEBP", save_all=True, append_images=pictures[1:], duration=milliseconds, loop=0,
-        quality=80,
-    )  # fmt: skip
+        stream, format="GIF", save_all=True, append_images=pictures[1:], duration=milliseconds, loop=0
+    )
     return stream.getvalue()

@@ -116,7 +116,7 @@ def write_solid(result: PlateResult, path: Path) -> None:
 write_view = page("plate.html")
 
 
-@file("carrier.webp")
+@file("carrier.gif")
 def animate(result: PlateResult, path: Path) -> None:
     content = plots.animated(result.marked, result.resonance, result.plate.layout, drive=result.drive)
     path.write_bytes(content)

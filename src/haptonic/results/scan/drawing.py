@@ -123,7 +123,7 @@ def write_data(scan: ScanResult, path: Path) -> None:
     write_netcdf(scan.dataset.assign_attrs(report=json.dumps(scan.to_json())), path)
 
 
-@file("shape.webp", when=_mapped)
+@file("shape.gif", when=_mapped)
 def animate(scan: ScanResult, path: Path) -> None:
     path.write_bytes(plots.animated(scan.response, scan.loudest, scan.layout))
 
