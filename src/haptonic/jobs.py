@@ -139,7 +139,7 @@ def check_workers(workers: object, scheduler: object) -> None:
             given=shown(workers) if scheduler is None else f"{workers!r}, and the scheduler {scheduler!r}",
             allowed="0 or more worker processes on this machine, or a scheduler with workers of its own",
             cause="a slip, or two ways of computing at the same time",
-            next_step="give --workers N or --scheduler ADDRESS, not both",
+            next_step="give workers (--workers N) or a scheduler (--scheduler ADDRESS), not both",
         )
     if scheduler and importlib.util.find_spec("distributed") is None:
         raise ResourceError.not_installed(
@@ -147,7 +147,7 @@ def check_workers(workers: object, scheduler: object) -> None:
             given=shown(scheduler),
             allowed="an address, with the package distributed installed",
             cause="distributed is an optional part of haptonic and is not installed",
-            next_step='pip install "haptonic[scheduler]", or --workers N for processes on this machine',
+            next_step='pip install "haptonic[scheduler]", or use workers (--workers N), processes of this machine',
         )
 
 
@@ -285,7 +285,7 @@ def _no_scheduler(address: str, cause: str) -> ResourceError:
         given=shown(address),
         allowed="the address of a running Dask scheduler with workers, such as tcp://127.0.0.1:8786",
         cause=cause,
-        next_step="start `dask scheduler` and `dask worker ADDRESS`, or give --workers N instead; finished "
+        next_step="start `dask scheduler` and `dask worker ADDRESS`, or use workers (--workers N) instead; finished "
         "results are in the store",
     )
 

@@ -95,6 +95,7 @@ def test_the_state_of_a_run_is_unknown_without_the_server_and_right_when_it_is_b
         page.get_by_text("The server ended during the computation of sweep").wait_for()
         page.get_by_role("button", name="Continue").click()
         page.get_by_role("button", name="2. sweep (running)").wait_for()
+        expect(page.get_by_role("button", name="1. sweep (interrupted)")).to_have_count(0)
         expect(cancel).to_be_visible()
     context.close()
 

@@ -52,7 +52,8 @@ function Unfinished({ job }: { job: WholeJob }) {
     <p>
       {job.state === "cancelled" ? `The computation of ${analysis} was cancelled` : `The server ended during the computation of ${analysis}`}
       {planned > 0 && ` at ${done} of ${planned}`}. Finished parts come from the store.{" "}
-      <button type="button" disabled={lost.value} onClick={() => void compute({ analysis, options, alone, text, file: name })}>
+      <button type="button" disabled={lost.value}
+        onClick={() => void compute({ analysis, options, alone, text, file: name }, job.number)}>
         Continue
       </button>
     </p>

@@ -52,11 +52,13 @@ export function showResult(number: number): void {
   painting.value = false;
 }
 
-export const compute = (wanted: Wanted) =>
+/** Start a run and show it, in place of an unfinished run with the same order if there is one. */
+export const compute = (wanted: Wanted, unfinished?: number) =>
   attempt(async () => {
     const { number } = await server.run(wanted);
     awaited.job = number;
     showResult(number);
+    if (unfinished !== undefined) await server.remove(unfinished);
   });
 
 export const remove = (number: number) =>
