@@ -147,7 +147,7 @@ def check_workers(workers: object, scheduler: object) -> None:
             given=shown(scheduler),
             allowed="an address, with the package distributed installed",
             cause="distributed is an optional part of haptonic and is not installed",
-            next_step='pip install "haptonic[scheduler]", or use workers (--workers N), processes of this machine',
+            next_step='pip install "haptonic[scheduler]", or use workers of this machine (--workers N)',
         )
 
 
@@ -285,8 +285,8 @@ def _no_scheduler(address: str, cause: str) -> ResourceError:
         given=shown(address),
         allowed="the address of a running Dask scheduler with workers, such as tcp://127.0.0.1:8786",
         cause=cause,
-        next_step="start `dask scheduler` and `dask worker ADDRESS`, or use workers (--workers N) instead; finished "
-        "results are in the store",
+        next_step="start `dask scheduler` and `dask worker ADDRESS`, or use workers (--workers N) instead; "
+        "finished results are in the store",
     )
 
 

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given, settings, strategies as st
 
 from five_parts import refused
-from haptonic.errors import ResourceError
+from haptonic.errors import FrictionError, ResourceError
 from haptonic.friction.protocol import Protocol
 from haptonic.friction.signals import (
     OMISSIONS,
@@ -380,6 +380,16 @@ class TestFiles:
     def test_bad_tables_of_records(self, tmp_path, spoil, code, argument, given):
         path = self.written(spoil(self.rows()), tmp_path / "a.csv")
         refused(lambda: list(read_records(path)), given, code=code, argument=argument)
+
+    def test_all_missing_columns_are_named_at_once(self, tmp_path):
+        rows = self.rows().drop(columns=["participant", "block"])
+        path = self.written(rows.rename(columns={"time": "times"}), tmp_path / "a.csv")
+        with pytest.raises(FrictionError) as error:
+            list(read_records(path))
+        assert error.value.argument == "a.csv: columns participant, block and time"
+        assert (
+            error.value.next_step == 'rename "times" to "time" and add "participant" and "block" to every row'
+        )
 
     def test_files_that_cannot_be_read(self, tmp_path):
         (tmp_path / "b.nc").write_bytes(b"no such thing")

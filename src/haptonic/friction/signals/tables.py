@@ -18,7 +18,7 @@ from haptonic.friction.signals.columns import UNSURE, meanings, plain_word, rena
 from haptonic.friction.signals.record import Label, Record
 from haptonic.gate import declared, passed
 from haptonic.later import pandas as pd, xarray as xr
-from haptonic.names import cell, visible
+from haptonic.names import cell, listed, visible
 from haptonic.paths import unread
 
 Column = NDArray[Any]
@@ -138,18 +138,21 @@ def read_columns(path: Path, required: Sequence[str]) -> dict[str, Column]:
             cause="it is damaged, or its ending does not match its content",
             next_step="open it in another program to see",
         ) from error
-    for name in required:
-        if name not in columns:
-            guess = nearest(name, columns)
-            raise FrictionError.missing(
-                argument=f"{path.name}: column {name}",
-                given=", ".join(columns) or "no columns",
-                allowed=f"the columns {', '.join(required)}",
-                cause="the column has another name, or the table is of another kind",
-                next_step=f'rename "{guess}" to "{name}"'
-                if guess
-                else f'add the column "{name}", or rename one',
-            )
+    missing = [name for name in required if name not in columns]
+    if missing:
+        others = [name for name in columns if name not in required]
+        alike = {name: guess for name in missing if (guess := nearest(name, others))}
+        steps = [f'rename "{guess}" to "{name}"' for name, guess in alike.items()]
+        absent = [f'"{name}"' for name in missing if name not in alike]
+        if absent:
+            steps.append(f"add {listed(absent)} to every row")
+        raise FrictionError.missing(
+            argument=f"{path.name}: {'columns' if len(missing) > 1 else 'column'} {listed(missing)}",
+            given=", ".join(columns) or "no columns",
+            allowed=f"the columns {', '.join(required)}",
+            cause="a column has another name, or the table is of another kind",
+            next_step=listed(steps),
+        )
     lengths = {len(column) for column in columns.values()}
     if lengths == {0}:
         raise FrictionError.missing(
