@@ -68,6 +68,24 @@ def test_feel_at_a_frequency_and_for_a_reduction(inside, plated):
     assert again["regions"]["WG"]["reduction"] == pytest.approx(0.3, abs=2e-3)
 
 
+FORCED = '[[plate.force]]\nname = "F"\nregion = "WG"\ncentre = ["4 mm", "4 mm"]\nforce = "2 N"\n'
+
+
+def test_a_carrier_has_its_own_drives_only(inside, plated):
+    forced = plated(("[[sweep]]", f'{FORCED}carrier = "9 kHz"\n\n[[sweep]]'))
+    at_own, elsewhere = (inside("feel", forced, "--at", at, "--json").json for at in ("9 kHz", "10 kHz"))
+    assert at_own["drive"] == {"amplitude": 2.0, "unit": "N"}
+    assert elsewhere["drive"]["unit"] == "V"
+
+
+def test_drives_that_keep_their_ratio_are_named(inside, plated):
+    words = " ".join(
+        inside("feel", plated(("[[sweep]]", f"{FORCED}\n[[sweep]]")), "--at", "9 kHz").out.split()
+    )
+    assert "V at A1, WG (driven)" in words
+    assert "For other amplitudes of A1, F keeps its ratio to it." in words
+
+
 def test_the_map_is_that_of_the_response(inside, plated, tmp_path):
     out = tmp_path / "out"
     inside("feel", plated(), "--out", out)

@@ -141,6 +141,19 @@ def test_a_strip_of_crystal_has_its_waves_and_its_stop_band(inside, tmp_path):
     assert nothing.summary() == ["The strip has no wave from 2 to 60 kHz."]
 
 
+@pytest.mark.parametrize(("in_gap", "added"), [
+    ([0, 0], ""), ([1, 0], " 1 wave outside of them runs along the ribbon's outer edges."),
+    ([1, 1], " 2 waves outside of them run along the ribbon's outer edges."),
+])  # fmt: skip
+def test_waves_along_the_outer_edges_are_counted_without_a_mode_of_the_guide(in_gap, added):
+    names = ("guided", "in_gap", "frequency", "frequency_error")
+    data = xr.Dataset({name: ("mode", [0.0, 0.0]) for name in names})
+    data["in_gap"] = ("mode", in_gap)
+    data.attrs = {"kind": "guide", "range_hz": [2e3, 60e3]}
+    none = "No wave of the guide lies outside of the bulk bands in the searched range from 2 to 60 kHz."
+    assert RibbonWaves(data).summary() == [none + added]
+
+
 def test_a_stop_band_ends_where_bands_may_turn_between_two_phases():
     """A quadratic band whose maximum is between two phases, and one above the range's end."""
     phases, period = np.linspace(0, np.pi, 5), 7e-3

@@ -27,7 +27,7 @@ from haptonic.plate.layout.grid import Layout
 from haptonic.plate.layout.parts import Force, Plate
 from haptonic.plate.layout.sampling import driven_regions
 from haptonic.plate.vibration.touch import whole_finger_by_region
-from haptonic.results.feel.requirements import FAR, requirements
+from haptonic.results.feel.requirements import FAR, drive_in_gap, requirements
 from haptonic.results.feel.value import Feel
 
 ALUMINIUM = material("aluminium-paper")
@@ -161,7 +161,7 @@ def test_far_from_every_mode_the_time_is_not_determined():
     far.loaded["quality"][:] = math.nan
     assert math.isnan(far.rise)
     assert math.isnan(far.constant)
-    time = Feel(PLATE, gap(52e3, 60e3), far).requirements[-2]
+    time = Feel(PLATE, {"lattice": gap(52e3, 60e3)}, far).requirements[-2]
     assert (time.colour, time.reason.split(":")[0]) == ("amber", "not determined")
 
 
@@ -173,14 +173,14 @@ def test_every_region_that_a_drive_moves_is_driven_and_to_be_felt(strengths, dri
         Force(f"F{x}", (x, 14e-3), None, force) for x, force in zip((10e-3, 38e-3), strengths, strict=True)
     ]
     assert driven_regions(replace(PLATE, forces=tuple(forces))) == driven
-    demands = requirements(GOOD, driven, FAST, FAST, 56e3, None)[:2]
+    demands = requirements(GOOD, driven, FAST, FAST, drive_in_gap(56e3, None))[:2]
     assert [demand.what for demand in demands] == [
         f"{name} is {'felt clearly' if name in driven else 'not felt'}" for name in "AB"
     ]
 
 
 def test_files_list_assumptions_and_are_marked_as_simulated():
-    data = Feel(PLATE, gap(52e3, 60e3), response_of(contact_gap=4e-6)).dataset
+    data = Feel(PLATE, {"lattice": gap(52e3, 60e3)}, response_of(contact_gap=4e-6)).dataset
     assert data.attrs["origin"] == "simulated"
     assert '"mark": "given"' in data.attrs["assumptions"]
     assert '"mark": "assumed"' in data.attrs["assumptions"]
@@ -205,7 +205,7 @@ WANTED = FAR * WEBER_FRACTION
     ],
 )
 def test_regions_are_judged_by_their_whole_interval(changes, colours):
-    lights = requirements(GOOD | changes, ("A",), FAST, FAST, 56e3, gap(52e3, 60e3))
+    lights = requirements(GOOD | changes, ("A",), FAST, FAST, drive_in_gap(56e3, gap(52e3, 60e3)))
     assert [light.colour for light in lights] == colours
 
 
@@ -213,10 +213,18 @@ def test_regions_are_judged_by_their_whole_interval(changes, colours):
     (FAST, FAST, "green"), (SLOW, FAST, "amber"), (SLOW, SLOW, "red"),
 ])  # fmt: skip
 def test_the_time_is_judged_by_both_definitions(rise, constant, colour):
-    assert requirements(GOOD, ("A",), rise, constant, 56e3, gap(52e3, 60e3))[2].colour == colour
+    assert requirements(GOOD, ("A",), rise, constant, drive_in_gap(56e3, None))[2].colour == colour
 
 
 @pytest.mark.parametrize("around", [None, gap(52e3, 55e3), gap(57e3, 60e3), gap(52e3, 56.02e3, 50.0)])
 def test_a_drive_outside_of_the_gap_is_red(around):
     """Errors of the edges counted, as everywhere."""
-    assert requirements(GOOD, ("A",), FAST, FAST, 56e3, around)[3].colour == "red"
+    assert drive_in_gap(56e3, around).colour == "red"
+
+
+def test_the_lattice_without_a_gap_is_named_if_another_has_one():
+    plate_gaps = {"lattice": gap(52e3, 60e3), "holes": None}
+    *_, of_gap = Feel(PLATE, plate_gaps, response_of()).requirements
+    assert of_gap.reason == "no gap of holes contains it by more than its errors"
+    *_, of_none = Feel(PLATE, dict.fromkeys(plate_gaps), response_of()).requirements
+    assert of_none.reason == "no gap contains it by more than its errors"

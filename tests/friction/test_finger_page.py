@@ -20,7 +20,7 @@ MAP = ".finger .map canvas"
 
 @pytest.fixture(scope="module")
 def result() -> Feel:
-    return Feel(PLATE, gap(52e3, 60e3), response_of(drive=80.0), interactive=True)
+    return Feel(PLATE, {"lattice": gap(52e3, 60e3)}, response_of(drive=80.0), interactive=True)
 
 
 @pytest.fixture(scope="module")

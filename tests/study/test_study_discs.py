@@ -5,7 +5,7 @@ import pytest
 
 from five_parts import refusing
 from haptonic.cell import Disc
-from haptonic.errors import StudyError
+from haptonic.errors import HaptonicWarning, StudyError
 from haptonic.materials import material
 from haptonic.study import loads
 
@@ -102,9 +102,11 @@ def test_only_ends_that_meet_move_together_unless_both_are_given():
     study = loads(GLUED)
     glue, pillar = study.with_parameter("cell.disc[1].diameter", 4e-3).cell.disc
     assert (glue.diameter, pillar.diameter) == (4e-3, 5e-3)
-    glue, pillar = study.with_parameters({"cell.disc[1].high": 1e-4, "cell.disc[2].low": 2e-5}).cell.disc
+    with pytest.warns(HaptonicWarning, match="no effect above 20 µm"):
+        glue, pillar = study.with_parameters({"cell.disc[1].high": 1e-4, "cell.disc[2].low": 2e-5}).cell.disc
     assert (glue.high, pillar.low) == (1e-4, 2e-5)
-    glue, pillar = study.with_keys({"cell.disc[1].high": "80 um"}).cell.disc
+    with pytest.warns(HaptonicWarning, match="no effect above 50 µm"):
+        glue, pillar = study.with_keys({"cell.disc[1].high": "80 um"}).cell.disc
     assert (glue.high, pillar.low) == pytest.approx((8e-5, 5e-5))
 
 
@@ -124,7 +126,8 @@ steps = 2
 
 def test_both_axes_of_a_sweep_begin_at_the_study():
     """On the way, the glue ends where the pillar begins in the study, which must not join them."""
-    study = loads(GLUED.replace('high = "50 um"', 'high = "60 um"') + SECOND)
+    with pytest.warns(HaptonicWarning, match="no effect above 50 µm"):
+        study = loads(GLUED.replace('high = "50 um"', 'high = "60 um"') + SECOND)
     reached = [(d.cell.disc[0].high, d.cell.disc[1].low) for d in study.designs(study.sweep_settings[0])]
     assert np.array(reached) == pytest.approx(np.array([(50, 30), (50, 40), (60, 30), (60, 40)]) * 1e-6)
 

@@ -185,6 +185,47 @@ def test_unusual_value_is_warned_about_once(edited, change, words):
     assert [word for word in words if word not in message] == []
 
 
+GLUED = """[[cell.disc]]
+diameter = "3 mm"
+low = "0 mm"
+high = "50 um"
+material = "epoxy"
+[[cell.disc]]
+diameter = "3 mm"
+low = "50 um"
+high = "4 mm"
+"""
+BELOW = """[[cell.disc]]
+diameter = "3 mm"
+low = "-0.2 mm"
+high = "2 mm"
+material = "brass"
+[[cell.disc]]
+diameter = "3 mm"
+high = "0.1 mm"
+material = "epoxy"
+"""
+AT_GLUE = {"cell.disc[1].high": "has no effect above 50 µm, from where disc 2 replaces it"}
+
+
+@pytest.mark.parametrize(
+    ("change", "remarks"),
+    [
+        (("", ""), {}),
+        (('high = "50 um"\nmaterial = "epoxy"', 'high = "0.2 mm"'), {}),  # of one material
+        (('"3 mm"\nlow = "50 um"', '"2 mm"\nlow = "20 um"'), {}),  # a core in the glue
+        (('"50 um"\nmaterial', '"0.2 mm"\nmaterial'), AT_GLUE),
+        (('"0 mm"\nhigh = "50 um"', '"-0.2 mm"\nhigh = "0.2 mm"'), AT_GLUE),
+        ((GLUED, BELOW), {"cell.disc[1].low": "has no effect below 100 µm, up to where disc 2 replaces it"}),
+    ],
+)  # fmt: skip
+def test_an_end_that_a_later_disc_replaces_is_doubtful(change, remarks):
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        study = loads(PLAIN + GLUED.replace(*change))
+    assert study.doubtful() == remarks
+
+
 def test_reference_study_is_usual(reference_path):
     assert load(reference_path).unusual() == ()
 

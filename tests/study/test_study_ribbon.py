@@ -126,6 +126,24 @@ def test_a_sweep_is_about_the_lattice_alone():
     assert [design.ribbon_settings for design in designs] == [None] * 3
 
 
+def test_a_pillar_stays_on_the_glue_that_a_further_lattice_makes_thicker():
+    discs = """
+[[cell.disc]]
+diameter = "3 mm"
+low = "0 mm"
+high = "50 um"
+material = "epoxy"
+[[cell.disc]]
+diameter = "3 mm"
+low = "50 um"
+high = "4 mm"
+"""
+    thick = changed(("cell.pillar.height", "cell.disc[1].high"), ("14 mm", "0.2 mm"), text=DEFECT)
+    ribbon = ribbon_of(STUDY.partition("[cell.pillar]")[0] + discs + thick)
+    glue, pillar = ribbon.first[1].disc
+    assert (glue.high, pillar.low, pillar.high) == (0.2e-3, 0.2e-3, 4e-3)
+
+
 def changed(*pairs, text=STUDY + RIBBON):
     for old, new in pairs:
         assert old in text

@@ -13,12 +13,15 @@ from haptonic.analyses.options import option
 from haptonic.analyses.plate_needs import (
     check_waves,
     checked_fineness,
-    gap_of_plate,
+    driven_at,
+    gaps_around,
     has_plate,
+    lattice_gaps,
     response_settings,
 )
 from haptonic.analyses.runner import Runner
 from haptonic.analyses.support import whole_lower_face
+from haptonic.bloch.gaps import common_gap
 from haptonic.errors import StudyError
 from haptonic.fields import FREQUENCY
 from haptonic.friction.lubrication.law import check_reduction
@@ -46,7 +49,7 @@ class FeelOptions:
 
     voltage: float | None = option(
         None,
-        'Voltage of the first actuator, such as "200 V".',
+        'Voltage of the first drive, such as "200 V"; the others keep their ratio to it.',
         quantity=VOLTAGE,
         metavar="VOLTAGE",
     )
@@ -88,21 +91,17 @@ def compute(study: Description, options: FeelOptions, runner: Runner) -> Feel:
     StudyError : no [plate], no carrier, no drive, or a voltage for a plate that a force drives
     ResourceError : a grid or a plate that is too large for this machine, refused before the computation
     """
-    plate, carrier, settings, finger = (
-        study.mounted_plate(),
-        need_carrier(study),
-        response_settings(study),
-        study.touch,
-    )
+    plate, settings, finger = driven_at(study, options.at), response_settings(study), study.touch
     drive = amplitude(plate, finger.voltage if options.voltage is None else options.voltage)
-    middle = carrier if options.at is None else options.at
+    middle = need_carrier(study) if options.at is None else options.at
     chosen = checked_fineness(study)
     check_cost(plate, highest(plate, middle, chosen))
     check_grid(plate, settings.grid, len(LOADS))
-    gap = gap_of_plate(study, plate, carrier, runner)
+    gaps = gaps_around(study, lattice_gaps(study, plate, runner), middle)
+    gap = common_gap(gaps.values())
     vibration_below = compute_loaded(
         runner.store, study.inputs(), runner.progress, plate=plate,
-        diameter=finger.pad.diameter, damping=finger.pad.damping, carrier=carrier, at=options.at,
+        diameter=finger.pad.diameter, damping=finger.pad.damping, carrier=middle, at=options.at,
         gap=gap.edges if gap else None,
         grid=settings.grid, tolerance=settings.tolerance, fineness=chosen,
     )  # fmt: skip
@@ -114,7 +113,7 @@ def compute(study: Description, options: FeelOptions, runner: Runner) -> Feel:
         skin=finger.skin,
         drive=drive,
     )
-    return Feel(plate, gap, friction, options.reduction, pad=finger.pad, interactive=options.html)
+    return Feel(plate, gaps, friction, options.reduction, pad=finger.pad, interactive=options.html)
 
 
 def compute_loaded(

@@ -13,6 +13,7 @@ from haptonic.analyses.options import option
 from haptonic.analyses.plate_needs import (
     check_waves,
     checked_fineness,
+    driven_at,
     gaps_around,
     has_plate,
     lattice_gaps,
@@ -73,7 +74,7 @@ def compute(study: Description, options: PlateOptions, runner: Runner) -> PlateR
     """
     at = options.at
     carriers = study.carriers
-    plate = study.mounted_plate(at if at in carriers else None)
+    plate = driven_at(study, at)
     carrier = need_carrier(study) if at is None else at
     settings = options.settings or response_settings(study)
     if at is not None:

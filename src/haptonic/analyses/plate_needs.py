@@ -101,6 +101,11 @@ def gaps_around(
     return gaps
 
 
+def driven_at(study: Description, at: float | None) -> Plate:
+    """The plate with the drives of the carrier ``at`` (Hz), or else of the study's carrier."""
+    return study.mounted_plate(at if at in study.carriers else None)
+
+
 def gap_of_plate(study: Description, plate: Plate, carrier: float, runner: Runner) -> Gap | None:
     """Gap at the carrier (Hz) that all lattices beside the driven regions share; None without one."""
     return common_gap(gaps_around(study, lattice_gaps(study, plate, runner), carrier).values())

@@ -109,7 +109,13 @@ class RibbonWaves(Result):
         if best is None:
             largest = float(self.dataset["frequency_error"].values.max(initial=0.0))
             unsure = f" Errors of up to {hz_text(largest, form='.2g')} may hide one: increase the accuracy."
-            none = f"The ribbon has no wave outside of the bulk bands in the searched range {where}."
+            none = (
+                f"No wave of the {self.dataset.attrs['kind']} lies outside of the bulk bands in the searched "
+                f"range {where}."
+            )
+            if apart := int(self.dataset["in_gap"].values.sum()):
+                verb = "runs" if apart == 1 else "run"
+                none += f" {counted(apart, 'wave')} outside of them {verb} along the ribbon's outer edges."
             return [none + unsure if largest > HIDING * (high - low) else none]
         kind = f"The {self.dataset.attrs['kind']}"
         intervals = float(best["intervals"])

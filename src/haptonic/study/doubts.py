@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from itertools import combinations
 from typing import Any
 
 from haptonic.cell import UnitCell
+from haptonic.design.discs import stacks_of
 from haptonic.fields import unusual_beside
 from haptonic.plate.vibration.settings import ResponseSettings
 from haptonic.study.plate_tables import PlateSettings
@@ -21,7 +23,7 @@ LENGTH = "m"
 
 
 def doubts_of(carrier: float | None, cell: UnitCell, plate: PlateSettings | None) -> dict[str, str]:
-    """Remarks, by path in the study, on a carrier and parts of a plate that are unusual for the cell."""
+    """Remarks, by path in the study, on ends of discs, a carrier and parts of a plate that are unusual."""
     pitch = format_quantity(cell.lattice.pitch, LENGTH)
     remarks = {}
     if carrier is not None:
@@ -29,10 +31,27 @@ def doubts_of(carrier: float | None, cell: UnitCell, plate: PlateSettings | None
         natural = math.sqrt(solid.stiffness[5][5] / solid.density) / cell.lattice.pitch
         words = f"for a pitch of {pitch} in {solid.name}"
         remarks["carrier"] = unusual_beside(carrier, "Hz", USUAL_CARRIER, natural, words)
+    remarks |= dict(_covered_ends(cell))
     if plate is not None:
         remarks |= dict(_of_plate(plate, cell, f"for a pitch of {pitch}"))
         remarks |= _carrier_outside(carrier, plate.response)
     return remarks
+
+
+def _covered_ends(cell: UnitCell) -> Iterator[tuple[str, str]]:
+    """Remarks on ends of discs inside a later disc, which replaces them there."""
+    for table, stack in stacks_of(cell).items():
+        for (i, disc), (j, later) in combinations(enumerate(stack.discs), 2):
+            (low, high), (start, stop) = disc.ends(stack.thickness), later.ends(stack.thickness)
+            same = (disc.material, disc.empty) == (later.material, later.empty)
+            if same or stack.border_of(j) < stack.border_of(i):
+                continue
+            at, replaced = f"cell.{table}disc[{i + 1}]", f"disc {j + 1} replaces it"
+            begins, ends = (format_quantity(end - stack.thickness, LENGTH) for end in (start, stop))
+            if low < start < high < stop:
+                yield f"{at}.high", f"has no effect above {begins}, from where {replaced}"
+            if start < low < stop < high:
+                yield f"{at}.low", f"has no effect below {ends}, up to where {replaced}"
 
 
 def _of_plate(plate: PlateSettings, cell: UnitCell, words: str) -> Iterator[tuple[str, str]]:

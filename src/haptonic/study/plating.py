@@ -8,6 +8,7 @@ from itertools import accumulate, combinations, product
 from typing import TypeVar
 
 from haptonic.cell import Brickwork, UnitCell
+from haptonic.design.discs import with_joined
 from haptonic.errors import HaptonicError, StudyError, shown
 from haptonic.fields import unchecked
 from haptonic.plate.layout.grid import CLOSE, Layout, Rectangle
@@ -139,7 +140,7 @@ def lattices(
                     "this study does not give it", "give it in [cell] first, or leave it out here",
                 )  # fmt: skip
         try:
-            yield lattice.name, cell.with_numbers(lattice.change)
+            yield lattice.name, cell.with_numbers(with_joined(cell, lattice.change))
         except HaptonicError as error:
             given = ", ".join(
                 f"{path} = {format_quantity(value, lattice.units[path])}"

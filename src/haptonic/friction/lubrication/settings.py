@@ -35,7 +35,7 @@ class TouchSettings:
     speed: Speed = setting(0.078, "Speed along the plate.", title="Speed of the finger")
     pad: Annotated[Pad, INLINE] = setting(Pad(), "Load of the finger on the plate.")
     voltage: Annotated[float, VOLTAGE] | None = setting(
-        None, "Voltage of the first actuator under the finger; by default the plate's."
+        None, "Voltage of the first drive, to which the others keep their ratio; by default the plate's."
     )
     skin: Fingertip = setting(Fingertip(), "Parameters of the friction models.")
 

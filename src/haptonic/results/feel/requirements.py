@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Literal
 
 from haptonic.bloch import Gap
 from haptonic.friction.lubrication import CUE_THRESHOLD, WEBER_FRACTION
 from haptonic.friction.lubrication.on_plate import Reduction
+from haptonic.names import listed
 from haptonic.plots.text import gap_text
 from haptonic.units import hz_text, in_percent
 
@@ -31,8 +32,7 @@ def requirements(
     driven: Collection[str],
     rise: float,
     constant: float,
-    frequency: float,
-    gap: Gap | None,
+    in_gap: Requirement,
 ) -> list[Requirement]:
     """Requirements of each region, of the rise time of the vibration, and of the gap.
 
@@ -41,12 +41,12 @@ def requirements(
     driven : regions whose friction a drive should reduce; that of the others should not change
     rise, constant : 10 to 90 % rise time and time constant with a finger on the driven region, s; NaN if no
         mode is near the frequency
-    frequency : of the drive, Hz; gap : around the carrier
+    in_gap : from `drive_in_gap`
     """
     regions = [
         _driven(name, felt) if name in driven else _idle(name, felt) for name, felt in reductions.items()
     ]
-    return [*regions, _time(rise, constant), drive_in_gap(frequency, gap)]
+    return [*regions, _time(rise, constant), in_gap]
 
 
 def _driven(name: str, felt: Reduction) -> Requirement:
@@ -76,12 +76,15 @@ def _time(rise: float, constant: float) -> Requirement:
     return Requirement(colour, what, f"{reason}, {wanted}")
 
 
-def drive_in_gap(frequency: float, gap: Gap | None) -> Requirement:
-    """Requirement that the drive frequency (Hz) lies in a gap; ``gap`` is the one around it, if any."""
+def drive_in_gap(frequency: float, gap: Gap | None, without: Sequence[str] = ()) -> Requirement:
+    """Requirement that the drive frequency (Hz) lies in a gap.
+
+    gap : the one around it, if any; without : lattices without one, if others have one
+    """
     if gap is None:
-        return Requirement(
-            "red", "the drive lies in a band gap", "no gap contains it by more than its errors"
-        )
+        of = f" of {listed(without)}" if without else ""
+        reason = f"no gap{of} contains it by more than its errors"
+        return Requirement("red", "the drive lies in a band gap", reason)
     return Requirement(
         "green" if gap.holds(frequency) else "red",
         "the drive lies in a band gap",

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any
@@ -11,15 +12,17 @@ import numpy as np
 
 from haptonic import plots
 from haptonic.bloch import Gap
+from haptonic.bloch.gaps import common_gap
 from haptonic.friction.lubrication import CUE_THRESHOLD, WEBER_FRACTION
 from haptonic.friction.lubrication.on_plate import FrictionOnPlate
 from haptonic.friction.lubrication.settings import Pad
 from haptonic.friction.phrases import change
 from haptonic.gate import declared
 from haptonic.later import Axes, Figure, xarray as xr
+from haptonic.names import listed
 from haptonic.plate import Plate
 from haptonic.results.feel.interactive import feel_view
-from haptonic.results.feel.requirements import Requirement, requirements
+from haptonic.results.feel.requirements import Requirement, drive_in_gap, requirements
 from haptonic.results.plain import determined, split
 from haptonic.results.result import Result, figure, page
 from haptonic.results.table import Column, Table
@@ -29,7 +32,7 @@ from haptonic.views import InteractiveView
 MARKS = {"green": "●", "amber": "▲", "red": "■"}  # readable without colours
 COLUMNS = (
     Column("region"),
-    Column("amplitude", shown="µm", form=".3g"),
+    Column("mean amplitude", shown="µm", form=".3g", of="amplitude"),
     Column("without finger", shown="µm", form=".3g", of="amplitude_without_finger"),
     Column("reduction", shown="%", form=".0f", ends=("low", "high")),
     Column("noticed from", form=".3g", of="drive_to_be_felt"),
@@ -40,7 +43,8 @@ COLUMNS = (
 class Feel(Result):
     """Friction under a finger on a plate, and the requirements of the plate.
 
-    plate : the vibrating plate; gap : of its lattice around the carrier, if any
+    plate : the vibrating plate
+    gaps : around the frequency, of each lattice beside the driven regions, None for a lattice without one
     friction : relative to that without vibration; reduction : target for which the drive is computed, if any
     pad : load of the finger on the plate; interactive : whether the interactive page is among its files
     """
@@ -49,7 +53,7 @@ class Feel(Result):
     data_file = "feel"
 
     plate: Plate
-    gap: Gap | None
+    gaps: Mapping[str, Gap | None]
     friction: FrictionOnPlate
     reduction: float | None = None
     pad: Pad = field(default_factory=Pad)
@@ -85,9 +89,19 @@ class Feel(Result):
             friction.driven,
             friction.rise,
             friction.constant,
-            friction.frequency,
-            self.gap,
+            drive_in_gap(friction.frequency, self.gap, self._without_gap),
         )
+
+    @property
+    def gap(self) -> Gap | None:
+        """The gap around the frequency that the lattices beside the driven regions share, if any."""
+        return common_gap(self.gaps.values())
+
+    @property
+    def _without_gap(self) -> list[str]:
+        """Lattices without a gap around the frequency, if others have one."""
+        without = [name for name, gap in self.gaps.items() if gap is None]
+        return without if len(without) < len(self.gaps) else []
 
     @property
     def at_drive(self) -> str:
@@ -100,7 +114,14 @@ class Feel(Result):
 
     @property
     def _drive(self) -> str:
-        return format_quantity(self.friction.drive, self.friction.unit)
+        first, *others = self._driving
+        amplitude = format_quantity(self.friction.drive, self.friction.unit)
+        return f"{amplitude} at {first}" if others else amplitude
+
+    @property
+    def _driving(self) -> list[str]:
+        """Names of the drives that move the plate, the reference first."""
+        return [drive.name for drive in self.plate.drives if drive.amplitude]
 
     @cached_property
     def dataset(self) -> xr.Dataset:
@@ -155,6 +176,10 @@ class Feel(Result):
             for name, r in reductions.items()
         )
         sentences = [f"At {self.at_drive}, {felt}."]
+        first, *others = self._driving
+        if others:
+            keep = "keeps its" if len(others) == 1 else "keep their"
+            sentences.append(f"For other amplitudes of {first}, {listed(others)} {keep} ratio to it.")
         if self.reduction is not None:
             drives = "; ".join(f"{name}: {self.drive_text(v)}" for name, v in self.drives.items())
             sentences.append(f"Drive for a reduction of {in_percent(self.reduction)}: {drives}")
