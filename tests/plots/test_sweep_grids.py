@@ -59,6 +59,12 @@ def test_marks_are_at_their_designs(dataset):
     assert places == {"carrier": [[16.0, 0.6]], "failed": [[14.0, 0.6]], "own": [[14.5, 0.5]]}
 
 
+def test_ticks_are_at_the_values_of_few_designs(dataset):
+    axes = plots.sweep_grid(dataset).axes[0]
+    assert [text.get_text() for text in axes.get_xticklabels()] == ["13", "14", "16"]
+    assert axes.get_yticks() == pytest.approx(RATIOS)
+
+
 def test_the_star_of_the_study_leaves_its_circle_visible(dataset):
     dataset = dataset.assign_attrs(own_value=16e-3, own_second_value=0.6)
     figure = plots.sweep_grid(dataset)

@@ -15,6 +15,7 @@ from haptonic.plots.stage import stage
 from haptonic.plots.text import readable, scaled_unit
 from haptonic.units import hz_text
 
+TICKED = 7  # values of an axis that all get a tick
 CIRCLE, STAR = 5, 16  # points; the circle fits into the middle of the star
 AXES = (("value", "expression", "own_value"), ("second_value", "second_expression", "own_second_value"))
 
@@ -45,6 +46,9 @@ def sweep_grid(dataset: xr.Dataset, *, ax: Axes | None = None) -> Figure:
         *values, np.ma.masked_equal(width, 0.0), cmap=style.perceptual(), vmin=0.0, shading="nearest",
         rasterized=True, gid="width",
     )  # fmt: skip
+    for axis, value in zip((axes.xaxis, axes.yaxis), values, strict=True):
+        if len(value) <= TICKED:
+            axis.set_ticks(value, [f"{number:.4g}" for number in value])
     # marks outside the map do not widen it
     axes.set_xlim(axes.get_xlim())
     axes.set_ylim(axes.get_ylim())
