@@ -78,10 +78,9 @@ def test_a_carrier_has_its_own_drives_only(inside, plated):
     assert elsewhere["drive"]["unit"] == "V"
 
 
-def test_drives_that_keep_their_ratio_are_named(inside, plated):
-    words = " ".join(
-        inside("feel", plated(("[[sweep]]", f"{FORCED}\n[[sweep]]")), "--at", "9 kHz").out.split()
-    )
+def test_drives_that_keep_their_ratio_are_named(inside, plated, tmp_path):
+    forced = plated(("[[sweep]]", f"{FORCED}\n[[sweep]]"))
+    words = " ".join(inside("feel", forced, "--at", "9 kHz", "--out", tmp_path / "out").out.split())
     assert "V at A1, WG (driven)" in words
     assert "For other amplitudes of A1, F keeps its ratio to it." in words
 

@@ -430,6 +430,15 @@ def moving(tmp_path_factory):
     return path
 
 
+def test_each_map_of_friction_gives_its_largest_reduction():
+    friction = FRICTION.assign(low=FRICTION["low"] - 0.1, high=FRICTION["high"] + 0.1)
+    titles = [axes.get_title() for axes in plots.friction_map(friction, prototype()).axes]
+    assert [title.replace("\n", " ") for title in titles if title] == [
+        "prediction, up to 90 %", "smallest plausible, up to 80 %",
+        "largest plausible, up to 100 %",
+    ]  # fmt: skip
+
+
 class TestAnimation:
     @staticmethod
     def frames(path) -> np.ndarray:

@@ -30,8 +30,8 @@ from haptonic.units import in_percent
 RANGE = 0.18  # opacity of a plausible range
 PANELS = {
     "value": "prediction",
-    "high": "least reduction\nthat is plausible",
-    "low": "most reduction\nthat is plausible",
+    "high": "smallest plausible",
+    "low": "largest plausible",
 }
 
 
@@ -57,8 +57,9 @@ def friction_map(friction: xr.Dataset, layout: Layout, *, title: str = "") -> Fi
     for axes, (end, words) in zip(panels, PANELS.items(), strict=True):
         small = slenderness >= LOW and end != "value"
         image, lines = _draw_friction(axes, friction, end, layout, named=not small)
-        title_of_map = words.replace("\n", " ") if slenderness < LOW else words
-        axes.set_title(title_of_map, pad=6 + lines * LINE * mpl.rcParams["font.size"])
+        largest = f"up to {in_percent(1 - float(friction[end].min()))}"
+        heading = f"{words},\n{largest}" if small else f"{words}, {largest}"
+        axes.set_title(heading, pad=6 + lines * LINE * mpl.rcParams["font.size"])
         if small:
             axes.set(xlabel="", xticks=[], yticks=[])
         else:
