@@ -69,7 +69,6 @@ def test_tolerances_report_the_edges_of_their_designs(store_folder):
 
 
 def test_constants_of_built_in_materials_vary_in_tolerances(store_folder):
-    """The study does not give them, so they are no parameters of it."""
     spread = TOLERANCE.replace("cell.pillar.height", "material.density").replace("20 um", "20 kg/m^3")
     points, result = computed("tolerance", STUDY + spread, store_folder)
     assert points[0].varied[0].unit == "kg/m^3"

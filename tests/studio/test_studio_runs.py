@@ -13,7 +13,7 @@ from dataclasses import replace
 import pytest
 from served import PATIENCE, Served, served
 
-from haptonic.errors import HaptonicError
+from haptonic.materials import material
 from haptonic.studio import jobs
 from haptonic.studio.archive import Archive
 from haptonic.studio.designs import design_text
@@ -236,8 +236,8 @@ def test_a_number_that_the_text_gives_in_another_way_gives_a_new_text(tmp_path):
     text = text.replace("0.33 }", "0.33, density = '2700 kg/m^3' } # inline")
     result = design_text(text, {"material.density": 2800.0}, tmp_path)
     assert loads(result).parameters()["material.density"] == pytest.approx(2800.0)
-    with pytest.raises(HaptonicError):
-        design_text(QUICK_CELL, {"material.density": 2800.0}, tmp_path)  # of a material by name
+    named = design_text(QUICK_CELL, {"material.density": 2800.0}, tmp_path)  # of a material by name
+    assert loads(named).cell.material == replace(material("aluminium-paper"), density=2800.0)
 
 
 def test_runs_of_the_command_line_are_listed_opened_and_compared(tmp_path):

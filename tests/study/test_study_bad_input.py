@@ -245,14 +245,6 @@ def test_material_has_to_be_a_name_or_a_table(value):
     assert "built-in material" in error.allowed
 
 
-def test_constants_of_a_built_in_material_cannot_be_varied():
-    error = refused(
-        'material = "steel"\n[cell]\npitch = "7 mm"\nthickness = "1 mm"\n'
-        '[[sweep]]\nvary = "material.density"\nfrom = "7000 kg/m^3"\nto = "8000 kg/m^3"\n'
-    )
-    assert "[material] table" in str(error)
-
-
 @each(
     ("text", "words"),
     [

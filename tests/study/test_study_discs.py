@@ -66,6 +66,28 @@ def test_a_sweep_changes_a_number_of_a_disc():
     assert [design.cell.disc[0].diameter for design in designs] == pytest.approx([3e-3, 4e-3, 5e-3])
 
 
+@pytest.mark.parametrize(
+    ("path", "value"),
+    [
+        ("material.density", 2800.0),
+        ("cell.disc[1].material.youngs_modulus", 4e9),
+        ("cell.site[1].disc[1].material.loss_factor", 0.01),
+    ],
+)
+def test_constants_of_built_in_materials_are_numbers_of_a_study(path, value):
+    """A design with another constant has a table of its own for it."""
+    sited = SITES.replace("empty = true", 'material = "epoxy"')
+    study = loads(sited if "site" in path else STUDY)
+    design = study.with_parameter(path, value)
+    assert loads(design.to_toml()).parameters() == {**study.parameters(), path: value}
+    unit = study.units()[path]
+    own = study.parameters()[path]
+    sweep = {"vary": path, "from": f"{own} {unit}", "to": f"{value} {unit}", "steps": 3}
+    swept = study.with_keys({"sweep": [sweep if unit else {**sweep, "from": own, "to": value}]})
+    last = swept.designs(swept.sweep_settings[0])[-1]
+    assert last.parameters()[path] == pytest.approx(value)
+
+
 GLUED = """
 material = "aluminium-paper"
 [cell]

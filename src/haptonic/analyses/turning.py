@@ -12,6 +12,7 @@ from haptonic.cell import UnitCell
 from haptonic.design.parameters import COORDINATE, values_of
 from haptonic.design.preview import CertifiedBands, DesignLine, Samples, refined_lines
 from haptonic.errors import HaptonicError, HaptonicWarning
+from haptonic.fields import numbers
 from haptonic.fields.expressions import NAMED
 from haptonic.fields.keys import key_of, table
 from haptonic.fields.writing import parameters_of
@@ -86,7 +87,8 @@ class BandsTurning:
     _lines: dict[tuple[Any, ...], DesignLine] = field(default_factory=dict)
 
     def knobs(self, study: Description) -> list[Knob]:
-        """Numbers of the cell with exact derivatives that are not expressions, and named parameters.
+        """Numbers of the cell that the study gives, with exact derivatives and no expression, and named
+        parameters.
 
         A slider keeps its range while its value is well inside.
         """
@@ -95,7 +97,7 @@ class BandsTurning:
         used = set[str]().union(*(scope.uses(text) for path, text in expressed.items() if path in varied))
         varied_names = {f"{NAMED}{name}" for name in used}
         knobs = []
-        for path, value in study.parameters().items():
+        for path, value in numbers(study, names=True).items():
             varies = path in varied or path in varied_names
             if not value or not varies or path in expressed or COORDINATE.fullmatch(path):
                 continue

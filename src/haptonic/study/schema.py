@@ -208,12 +208,15 @@ class Description:
         return unchecked(self, plate_settings=None, ribbon_settings=None)
 
     def parameters(self) -> dict[str, float]:
-        """Values of all numeric parameters in this study, by path and in SI units."""
+        """Values of all numeric parameters in this study, by path and in SI units.
+
+        Constants of built-in materials are among them; a study that changes one has a table of its own.
+        """
         return dict(self._parameters)
 
     @cached_property
     def _parameters(self) -> dict[str, float]:
-        every = numbers(self, names=True).items()  # a study with sweeps needs the values at every step
+        every = numbers(self).items()  # a study with sweeps needs the values at every step
         return {path: value for path, value in every if path.startswith(NAMED) or can_vary(path, self.cell)}
 
     def units(self) -> dict[str, str]:
@@ -224,15 +227,10 @@ class Description:
 
     def absent_parameters(self) -> dict[str, str]:
         """Reason why a numeric parameter has no value in this study, by path."""
-        absent, built_in = "this study does not give it", ""
+        absent = "this study does not give it"
         if self.cell.solid is not None:
             absent += ", or the file of the cell does"
-        if built_in_name(self.cell.material):
-            built_in = "the material is a built-in one; give its constants in a [material] table to vary them"
-        return {
-            path: built_in if built_in and path.startswith("material.") else absent
-            for path in numeric_parameters().keys() - self._parameters.keys()
-        }
+        return dict.fromkeys(numeric_parameters().keys() - self._parameters.keys(), absent)
 
     def with_parameter(self, path: str, value: float) -> Self:
         """The study with one changed numeric parameter; see `with_parameters`."""

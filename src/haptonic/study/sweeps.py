@@ -30,6 +30,7 @@ from haptonic.fields import (
 )
 from haptonic.fields.expressions import NAMED
 from haptonic.fields.quantity import collected
+from haptonic.materials import PiezoelectricMaterial
 from haptonic.study.vary import Expression, check_names, parse
 from haptonic.units import format_quantity
 
@@ -45,9 +46,13 @@ def numeric_parameters() -> Mapping[str, str]:
 
 
 def can_vary(path: str, cell: UnitCell) -> bool:
-    """True for a number of the study that an expression can name; the geometry of a CAD file is fixed."""
+    """True for a number of the study that an expression can name.
+
+    The geometry of a CAD file is fixed, and no file can give another ceramic as the material of a cell.
+    """
     is_of_file = cell.solid is not None and path.startswith("cell.") and not path.startswith("cell.solid.")
-    return path in numeric_parameters() and not is_of_file
+    owner = cell.materials.get(path.removeprefix("cell.").rpartition(".")[0])
+    return path in numeric_parameters() and not is_of_file and not isinstance(owner, PiezoelectricMaterial)
 
 
 def named_in(expression: Expression) -> list[str]:

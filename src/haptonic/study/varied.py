@@ -38,7 +38,7 @@ def check_varied(study: Description, keys: Mapping[str, Key]) -> None:
     design, tolerance, cell = study.design_settings, study.tolerance_settings, study.cell
     if not design.vary and not tolerance.of:
         return
-    values, absent = values_of(cell), study.absent_parameters()
+    values, parameters, absent = values_of(cell), study.parameters(), study.absent_parameters()
     for name, tables in (("design.vary", design.vary), ("tolerance.of", tolerance.of)):
         for i, varied_table in enumerate(tables, start=1):
             if varied_table.names_parameter:
@@ -64,10 +64,10 @@ def check_varied(study: Description, keys: Mapping[str, Key]) -> None:
         at, path = f"design.vary[{i}]", vary.parameter
         if vary.names_parameter:
             continue
-        if path in absent:
+        if path not in parameters:
             raise problem(
                 "missing",
-                path, "a parameter that this study gives", absent[path],
+                path, "a parameter that this study gives", absent[pattern_of(path)],
                 "give it in this study, or leave this table out", at=f"{at}.parameter",
             )  # fmt: skip
         key = key_of(path, keys)
