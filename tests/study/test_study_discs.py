@@ -5,7 +5,7 @@ import pytest
 
 from five_parts import refusing
 from haptonic.cell import Disc
-from haptonic.errors import HaptonicWarning, StudyError
+from haptonic.errors import GeometryError, HaptonicWarning, StudyError
 from haptonic.materials import material
 from haptonic.study import loads
 
@@ -212,3 +212,30 @@ cell = [{ name = "low", change = { "cell.disc[2].diameter" = "4 mm" } }]
 """
     cells = loads(CAPPED.replace(HOLLOW, "") + plate).mounted_plate().layout.cells
     assert [cells[name].disc[1].diameter for name in ("lattice", "low")] == [4.5e-3, 4e-3]
+
+
+@pytest.mark.parametrize(
+    ("path", "value", "allowed", "joined"),
+    [
+        ("cell.disc[1].high", 8e-3, "above 0 m and below 7 mm", "cell.disc[2].low meets it"),
+        ("cell.disc[2].low", -1e-3, "above 0 m and below 7 mm", "cell.disc[1].high meets it"),
+        ("cell.disc[2].high", 20e-6, "above 50 µm", "a disc would have no thickness"),
+        ("cell.disc[1].low", 60e-6, "below 50 µm", "a disc would have no thickness"),
+    ],
+)
+def test_the_end_that_was_given_is_refused_with_its_range(path, value, allowed, joined):
+    with refusing(StudyError, "out-of-range", path, joined) as caught:
+        loads(GLUED).with_parameter(path, value)
+    assert caught.value.allowed == allowed
+
+
+def test_errors_of_discs_name_the_disc():
+    study = loads(GLUED)
+    below = ("cell.disc[1].low", -2e-3, "the plate's lower face")
+    for path, value, words in (below, ("cell.disc[2].diameter", -1e-3, "negative")):
+        with refusing(StudyError, "out-of-range", path, words):
+            study.with_parameter(path, value)
+    with refusing(GeometryError, "out-of-range", "cell.disc[2].low", "below the upper end, 7 mm"):
+        study.cell.with_numbers({"cell.disc[2].low": 8e-3})
+    with refusing(StudyError, "out-of-range", "cell.disc[1].material.poisson_ratio"):
+        study.cell.with_numbers({"cell.disc[1].material.poisson_ratio": 0.7})

@@ -8,6 +8,7 @@ design has a mesh of its own, and only ends that meet move together.
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Mapping, Sequence
 from functools import lru_cache
@@ -18,7 +19,10 @@ import numpy as np
 from haptonic.cell import UnitCell
 from haptonic.cell.outlines.outline import SAME
 from haptonic.cell.stack import Stack
+from haptonic.errors import HaptonicError
 from haptonic.fields import with_numbers
+from haptonic.names import listed
+from haptonic.units import format_quantity
 
 DISC = re.compile(r"cell\.(?P<table>(?:site\[\d+\]\.)?)disc\[(?P<number>\d+)\]\.(?P<name>.+)")
 DIGITS = 8  # of equal numbers of one border
@@ -100,6 +104,31 @@ def with_joined(cell: UnitCell, values: Mapping[str, Any]) -> dict[str, Any]:
             if len(set(near.values())) > 1:
                 moved |= dict.fromkeys(near, value)
     return {**moved, **values}
+
+
+def for_given_end(cell: UnitCell, given: Mapping[str, Any], error: HaptonicError) -> HaptonicError:
+    """The error of a disc without thickness for the end that was changed, with the range that it has."""
+    moved = with_joined(cell, given)
+    lows, highs = list[float](), list[float]()
+    for path, disc in cell.discs.items():
+        low, high = (end - cell.thickness for end in disc.ends(cell.thickness))
+        lows += [low] if f"cell.{path}.high" in moved else []
+        highs += [high] if f"cell.{path}.low" in moved else []
+    path, value = next(iter(given.items()), ("", 0.0))
+    above, below = max(lows, default=-math.inf), min(highs, default=math.inf)
+    if len(given) != 1 or not isinstance(value, int | float) or not (value <= above or value >= below):
+        return error
+    ranges = [f"above {format_quantity(above, 'm')}"] if lows else []
+    ranges += [f"below {format_quantity(below, 'm')}"] if highs else []
+    joined = listed([end for end in moved if end != path])
+    return error.changed(
+        type(error),
+        argument=path,
+        given=format_quantity(value, "m"),
+        allowed=listed(ranges),
+        cause=(f"{joined} meets it and moves with it; " if joined else "") + "a disc would have no thickness",
+        next_step="choose a height in this range",
+    )
 
 
 def reason_of_thickness(cell: UnitCell) -> tuple[str, str] | None:

@@ -9,10 +9,10 @@ from collections.abc import Callable, Mapping
 from types import MappingProxyType
 from typing import Any, TypeVar
 
-from haptonic.errors import StudyError
+from haptonic.errors import HaptonicError, StudyError
 from haptonic.fields.described import remade, unchecked
 from haptonic.fields.entries import Entries
-from haptonic.fields.keys import Slot, is_described, leaves, slots
+from haptonic.fields.keys import Slot, is_described, leaves, pattern_of, slots
 
 T = TypeVar("T")
 
@@ -71,7 +71,23 @@ def _changed(value: Any, changes: dict[str, float], prefix: str, make: Callable[
         new = _in_slot(slot, old, changes, prefix, make)
         if new is not old:
             fields[slot.name] = new
-    return make(value, **fields) if fields else value
+    if not fields:
+        return value
+    try:
+        return make(value, **fields)
+    except HaptonicError as error:
+        raise _placed(error, prefix) from None
+
+
+def _placed(error: HaptonicError, prefix: str) -> HaptonicError:
+    """The error of a value at ``prefix``, ``cell.disc[2].``, in place of ``cell.disc`` or ``material``.
+
+    A value that is made alone does not know the number of its table, nor its owner.
+    """
+    table_name = pattern_of(prefix).removesuffix(".").removesuffix("[]").rpartition(".")[2]
+    before, _, key = error.argument.partition(f"{table_name}.")
+    of_value = table_name and key and (not before or before.endswith("."))
+    return error.changed(type(error), argument=f"{prefix}{key}") if of_value else error
 
 
 def _in_slot(slot: Slot, old: Any, changes: dict[str, float], prefix: str, make: Callable[..., Any]) -> Any:

@@ -16,6 +16,7 @@ from pydantic import field_validator
 
 from haptonic.bloch.settings import BandSettings, LayersSettings, WaveguideSettings
 from haptonic.cell import UnitCell
+from haptonic.design.discs import for_given_end
 from haptonic.design.settings import DesignSettings
 from haptonic.design.tolerance import ToleranceSettings
 from haptonic.errors import HaptonicError, StudyError, shown
@@ -304,7 +305,7 @@ class Description:
         try:
             return with_numbers(self, with_dependents(self, values))
         except HaptonicError as error:  # the class of error depends on the owner of the number
-            raise error.changed(StudyError) from None
+            raise for_given_end(self.cell, values, error).changed(StudyError) from None
 
     def solved(self, expression: Expression, value: float) -> Self:
         """The study in which an expression has a value (SI) by its first parameter, without sweeps and plate.
