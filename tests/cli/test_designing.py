@@ -174,7 +174,10 @@ class TestDesign:
 
     def test_bounds_that_contradict_each_other(self, here, asking):
         path = asking('[design]\nslenderness = 3\nreach = "20 mm"\n', HEIGHT)
-        assert_five_parts(here("design", path), "cell.pillar.height", code="no-answer", argument="design")
+        for dry in ((), ("--dry-run",)):
+            ran = here("design", path, *dry)
+            assert_five_parts(ran, "cell.pillar.height", code="no-answer", argument="design")
+        assert "slenderness = 4 in [design]" in here("plan", path).err
 
     def test_bounds_upside_down(self, here, asking):
         path = asking(HEIGHT.replace("16 mm", "12 mm"))

@@ -19,7 +19,8 @@ from haptonic.design.parameters import values_of
 from haptonic.design.settings import DesignLimits
 from haptonic.design.spread_designs import samples
 from haptonic.design.tolerance import Spread, Surface
-from haptonic.errors import GeometryError
+from haptonic.design.unmet import check_met
+from haptonic.errors import GeometryError, StudyError
 from haptonic.lattice import Lattice
 from haptonic.materials import material
 from stacks import DRAFTED, EPOXY, RIGHT, STACKS, STEEL, above
@@ -155,6 +156,27 @@ class TestOrderOfDiscs:
         with refusing(GeometryError, "conflict", "cell.disc"):
             samples(layered, of, 16)
         assert len(samples(layered, (replace(of[0], spread=0.02 * MM),), 16)) == 16
+
+
+UNMET = {
+    "gap": ("disc[1].diameter", (7, 9), {}, "closer than 140 µm", 'from "6.86 mm"'),
+    "layers": ("disc[2].high", (-1, -0.2), {}, "pass each other by 1.2 mm", 'to "1.01 mm"'),
+    "reach": ("disc[2].high", (3, 6), {"reach": 2 * MM}, "than 2 mm", 'from "2 mm" or write reach = "3 mm"'),
+    "slenderness": ("disc[2].high", (3, 6), {"slenderness": 0.5}, "0.5 times", "write slenderness = 1 in"),
+    "tool": ("disc[2].high", (3, 6), {"tool": 5 * MM}, "closer than 5 mm", 'write tool = "4 mm"'),
+}
+
+
+@pytest.mark.parametrize("case", UNMET)
+def test_limits_that_no_design_meets_are_named_with_values_that_would_do(case):
+    """Discs of 3 mm on plates of 7 mm pitch; 2 % of it stay free, and 1 mm is the glue."""
+    name, (low, high), limits, missed, proposed = UNMET[case]
+    glued = cell(Disc(3 * MM, low=0.0, high=1 * MM, material=EPOXY), above(3, 1, 4, material=STEEL))
+    brief = Brief(glued, 100e3, 8, {f"cell.{name}": (low * MM, high * MM)}, DesignLimits(**limits))
+    with refusing(StudyError, "no-answer", "design", missed) as caught:
+        check_met(brief)
+    assert proposed in caught.value.next_step
+    assert ("in [design]" in caught.value.next_step) == bool(limits)
 
 
 COATED = UnitCell(

@@ -23,6 +23,7 @@ from haptonic.design.parameters import values_of
 from haptonic.design.quick import QuickDesign
 from haptonic.design.search import HeightRow, Visited, begun_from, climb, spread, starts_of
 from haptonic.design.settings import DesignLimits
+from haptonic.design.unmet import check_met
 from haptonic.errors import ResourceError, StudyError
 from haptonic.lattice import Lattice
 from haptonic.materials import IsotropicMaterial, material
@@ -146,13 +147,16 @@ class TestLimits:
 class TestBounds:
     def test_those_that_contradict_each_other_are_refused(self):
         bounds = {"cell.pillar.diameter": (3.5 * MM, 4 * MM), "cell.pillar.height": (12 * MM, 14 * MM)}
-        brief_of(CELL, bounds, slenderness=3.01).check()
+        check_met(brief_of(CELL, bounds, slenderness=3.01))
         with refusing(StudyError, "no-answer", "design") as refusal:
-            brief_of(CELL, bounds, slenderness=2.0).check()
+            check_met(brief_of(CELL, bounds, slenderness=2.0))
         assert refusal.value.argument == "design"
         assert "cell.pillar.height" in refusal.value.given
         # the best of them is 4 mm wide and 12 mm high: 12 / (2 * 4) = 1.5
-        assert "by 0.5 of" in refusal.value.cause
+        for words in ("higher than 2", "cell.pillar.height = 12 mm"):
+            assert words in refusal.value.cause
+        for value in ('cell.pillar.diameter vary to "6 mm"', 'height vary from "8 mm"', "slenderness = 3"):
+            assert value in refusal.value.next_step
 
     @settings(max_examples=30)
     @given(st.lists(st.floats(0, 1), min_size=4, max_size=4))
@@ -177,7 +181,7 @@ class TestBounds:
         assert held.at(np.full(3, 0.5)).lattice == Lattice.square(8 * MM)
         nothing_left = brief_of(CELL, {"cell.pitch": (6 * MM, 9 * MM)}).fixed("cell.pitch", 8 * MM)
         assert nothing_left.at(np.empty(0)).lattice == Lattice.square(8 * MM)
-        nothing_left.check()
+        check_met(nothing_left)
 
     @settings(max_examples=5, deadline=None)
     @given(

@@ -15,6 +15,7 @@ from haptonic.analyses.support import made_of_parts
 from haptonic.design.brief import Brief
 from haptonic.design.discs import with_shared
 from haptonic.design.quick import QUICK
+from haptonic.design.unmet import check_met
 from haptonic.errors import StudyError
 from haptonic.later import xarray as xr
 from haptonic.materials import IsotropicMaterial
@@ -38,8 +39,11 @@ class DesignOptions:
 
 
 def check(study: Description, options: DesignOptions) -> None:
-    """Raise StudyError if no parameter may vary; a front needs the pitch and another parameter."""
-    brief(study)
+    """Raise StudyError if no parameter may vary, or no design is allowed.
+
+    A front needs the pitch and another parameter.
+    """
+    check_met(brief(study))
     names = [item.parameter for item in study.design_settings.vary]
     if options.pareto and ("cell.pitch" not in names or len(names) < 2):
         raise StudyError.missing(
@@ -89,7 +93,7 @@ def compute(study: Description, options: DesignOptions, runner: Runner) -> Desig
 
     Raises
     ------
-    StudyError : contradicting bounds, or a carrier that no allowed design reaches
+    StudyError : a carrier that no allowed design reaches
     """
     section = study.design_settings
     design = compute_design(

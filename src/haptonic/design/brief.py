@@ -20,7 +20,6 @@ from haptonic.design.discs import with_shared
 from haptonic.design.links import Links
 from haptonic.design.parameters import values_of
 from haptonic.design.settings import DesignLimits
-from haptonic.errors import StudyError
 from haptonic.fields import with_numbers
 from haptonic.fields.expressions import NAMED
 from haptonic.lattice import LEAST_SIDE
@@ -72,6 +71,11 @@ class Brief:
         """
         return self.made(dict(zip(self.paths, self.values(share), strict=True)))
 
+    def unchecked(self, share: Array) -> UnitCell:
+        """The cell at a position in the box, which need not form a body."""
+        values = dict(zip(self.paths, self.values(share), strict=True))
+        return with_numbers(self.cell, self._numbers(values), "cell.", checked=False)
+
     def made(self, values: Mapping[str, float]) -> UnitCell:
         """The cell with these values (SI) of the parameters; for errors see `at`."""
         return self.cell.with_numbers(self._numbers(values))
@@ -110,8 +114,7 @@ class Brief:
 
         Each is a share of a length of the design, so that they can be compared.
         """
-        values = dict(zip(self.paths, self.values(share), strict=True))
-        cell = with_numbers(self.cell, self._numbers(values), "cell.", checked=False)
+        cell = self.unchecked(share)
         room: dict[str, float] = {}
         if self.allowed.finger_force is not None:
             assert isinstance(self.cell.material, IsotropicMaterial)
@@ -203,24 +206,6 @@ class Brief:
     def allows(self, share: Array) -> bool:
         """True if a position in the box meets all limits."""
         return min(self.limits(share).values(), default=0.0) >= -SLACK
-
-    def check(self) -> None:
-        """Refuse bounds that contradict each other, or that leave no design.
-
-        Raises
-        ------
-        StudyError : limits that cannot be met together, with the amount by which they miss
-        """
-        start = self.feasible(np.full(len(self.bounds), 0.5))
-        if not self.allows(start):
-            worst = min(self.limits(start).items(), key=lambda item: item[1])
-            raise StudyError.no_answer(
-                argument="design",
-                given=f"bounds of {', '.join(self.paths) or 'nothing'}",
-                allowed="bounds that some design meets together",
-                cause=f'even the best of them breaks the limit "{worst[0]}" by {-worst[1]:.3g} of its value',
-                next_step="widen the bounds, or relax that limit",
-            )
 
     def feasible(self, share: Array) -> Array:
         """A position in the box that meets all limits, near a given one; else the least bad position."""

@@ -49,14 +49,15 @@ def compute_design(
 ) -> Design:
     """Sample the allowed designs, climb from the best gaps, then correct the coarse model.
 
+    The brief has allowed designs, see `haptonic.design.unmet`.
+
     Designs that cannot be computed are left out and listed in the result.
 
     Raises
     ------
-    StudyError : bounds that contradict each other, or a carrier that no allowed design reaches
+    StudyError : a carrier that no allowed design reaches
     ResourceError : no design of the search has a mesh within the budget and the memory
     """
-    brief.check()
     search = _Search(brief, settings, runner)
     begun = begun_from(starts_of(search.looked(starts), brief.carrier), brief.carrier, climbs)
     summits: list[Visited] = []
