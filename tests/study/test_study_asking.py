@@ -162,6 +162,25 @@ class TestRefusals:
         error = refused(PLAIN + of("cell.pillar.diameter", '"20 um"'))
         assert error.argument == "touchpad.toml: tolerance.of[1].parameter"
 
+    @pytest.mark.parametrize(
+        ("path", "parts", "next_step"),
+        [
+            ("cell.disc[3].high", 2, "write cell.disc[1].high or cell.disc[2].high"),
+            ("cell.pillar.height", 2, "write cell.disc[1].high or cell.disc[2].high"),
+            ("cell.pillar.diameter", 2, "write cell.disc[1].diameter"),
+            ("cell.disc[1].high", 1, "write cell.pillar.height"),
+            ("cell.disc[1].high", 0, "give it in [[cell.disc]] first, or leave this table out"),
+            ("cell.pillar.height", 0, "give it in [cell.pillar] first, or leave this table out"),
+        ],
+    )
+    def test_a_part_that_the_cell_lacks_is_replaced_or_given(self, path, parts, next_step):
+        glue = '[[cell.disc]]\ndiameter = "3 mm"\nlow = "0 mm"\nhigh = "1 mm"\nmaterial = "epoxy"\n'
+        pillar = '[[cell.disc]]\ndiameter = "3 mm"\nlow = "1 mm"\nhigh = "4 mm"\n'
+        cell = {0: PLAIN, 1: BASE, 2: PLAIN + glue + pillar}[parts]
+        error = refused(cell + vary(path, '"3 mm"', '"6 mm"'))
+        assert error.argument == "touchpad.toml: design.vary[1].parameter"
+        assert error.next_step == next_step
+
     def test_constants_of_a_ceramic_cannot_be_designed(self):
         """The design found could not be written as a study. They can have a spread, which needs none."""
         plain = re.sub(r'material = ".*"', 'material = "pzt-4"', PLAIN)

@@ -9,13 +9,15 @@ from typing import TYPE_CHECKING
 
 from pydantic_core import PydanticCustomError
 
+from haptonic.cell import UnitCell
 from haptonic.design.discs import SLIGHT, is_divided_alike, moving_together, reason_fixed
 from haptonic.design.links import LOSSES
-from haptonic.design.parameters import FILLET, OfCell, values_of
-from haptonic.errors import HaptonicError, StudyError, shown
+from haptonic.design.parameters import FEATURE, FILLET, OfCell, values_of
+from haptonic.errors import MOST_PROPOSED, HaptonicError, StudyError, shown
 from haptonic.fields import ExpressedNumber, handed_on, problem, with_numbers
 from haptonic.fields.expressions import NAMED
 from haptonic.fields.keys import Key, key_of, pattern_of
+from haptonic.names import listed
 from haptonic.study.named import expressed_numbers, links_of
 from haptonic.study.sweeps import SweepAxis, SweepSettings
 from haptonic.study.vary import check_names
@@ -27,6 +29,7 @@ if TYPE_CHECKING:
 SAME = 1e-9  # relative difference of an expression from its value at a step
 VARY = "sweep.vary"
 ENDS = {"low": "from", "high": "to", "spread": "spread"}
+HEIGHTS = {"height", "high"}  # of a pillar and of a disc
 KEPT = re.compile(r"carrier|(bands|mesh|design|tolerance)\.\w+")  # numbers that a search does not change
 
 
@@ -56,8 +59,7 @@ def check_varied(study: Description, keys: Mapping[str, Key]) -> None:
                     at=f"{at}.parameter",
                 )  # fmt: skip
             cause = "the cell of this study does not have it"
-            table = pattern_of(path).rpartition(".")[0].replace("[]", "")
-            next_step = f"give it in [{table}] first, or leave this table out"
+            next_step = _instead(cell, path, values)
             at = f"{at}.parameter"
             raise handed_on(StudyError.unknown(at, path, values, cause, slip=False, next_step=next_step))
     for i, vary in enumerate(design.vary, start=1):
@@ -88,6 +90,24 @@ def check_varied(study: Description, keys: Mapping[str, Key]) -> None:
                 'choose a small radius, such as "50 um", or look for a sharp one without this table',
                 at=f"{at}.from",
             )  # fmt: skip
+
+
+def _instead(cell: UnitCell, path: str, values: Mapping[str, float]) -> str:
+    """Next step for a number that the cell does not have: numbers of its discs, or the table to write."""
+    feature = FEATURE.search(path)
+    has_table = feature and path[: feature.end() - 1].removeprefix("cell.") in {
+        *cell.discs,
+        *(table.removeprefix("cell.") for table in cell.pillar_tables),
+    }
+    sizes = [other for other in values if FEATURE.search(other) and ".material." not in other]
+    if feature and sizes and not has_table:  # a site has either a pillar or discs
+        name = path.rpartition(".")[2]
+        names = HEIGHTS if name in HEIGHTS else {name}
+        alike = [other for other in sizes if other.rpartition(".")[2] in names] or sizes
+        return f"write {listed(alike[:MOST_PROPOSED], 'or')}"
+    table = pattern_of(path).rpartition(".")[0]
+    heading = f"[[{table[:-2]}]]" if table.endswith("[]") else f"[{table}]"
+    return f"give it in {heading.replace('[].', '.')} first, or leave this table out"
 
 
 def _check_named(
