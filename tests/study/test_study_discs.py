@@ -239,3 +239,20 @@ def test_errors_of_discs_name_the_disc():
         study.cell.with_numbers({"cell.disc[2].low": 8e-3})
     with refusing(StudyError, "out-of-range", "cell.disc[1].material.poisson_ratio"):
         study.cell.with_numbers({"cell.disc[1].material.poisson_ratio": 0.7})
+
+
+@pytest.mark.parametrize(
+    ("path", "next_step"),
+    [
+        ("cell.disc[0].high", 'write "cell.disc[1].high"'),
+        ("cell.disc[7].low", 'write "cell.disc[2].low"'),
+        ("cell.disc[0].section", "choose a name of the list"),
+    ],
+)
+def test_tables_count_from_one(path, next_step):
+    study = loads(GLUED)
+    with refusing(StudyError, "unknown", "name of a number", "count from 1") as caught:
+        study.with_parameter(path, 1e-3)
+    assert caught.value.next_step == next_step
+    with refusing(StudyError, "unknown", path, "count from 1"):
+        study.with_keys({path: "1 mm"})

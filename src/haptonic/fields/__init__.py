@@ -5,7 +5,7 @@ from haptonic.fields.described import described, extended, needed, remade, setti
 from haptonic.fields.entries import Entries
 from haptonic.fields.expressions import PARAMETERS, ExpressedNumber, Scope
 from haptonic.fields.keys import ByPattern, Key, leaves, table
-from haptonic.fields.numbers import numbers, unknown_number, with_numbers
+from haptonic.fields.numbers import numbers, unknown_number, with_known_table, with_numbers
 from haptonic.fields.of_number import NumberRange, OfNumber, ascending, once
 from haptonic.fields.placing import INLINE, TOP, Named, Placed, Synonyms
 from haptonic.fields.quantity import (
@@ -79,5 +79,6 @@ __all__ = [
     "unusual_beside",
     "unusual_values",
     "warn_caller",
+    "with_known_table",
     "with_numbers",
 ]

@@ -5,7 +5,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+import re
+from collections.abc import Callable, Iterable, Mapping
 from types import MappingProxyType
 from typing import Any, TypeVar
 
@@ -55,12 +56,31 @@ def unknown_number(
     absent : names that exist elsewhere, with the reason why they are absent here
     at : key that gives the name; by default the name is an argument
     """
-    from_zero = "[0]" in str(name)
-    usual = "numbers in brackets count from 1" if from_zero else "no numeric parameter has this name"
+    numbered = with_known_table(str(name), known)
+    usual = "no numeric parameter has this name"
+    if numbered is not None or "[0]" in str(name):
+        usual = "numbers in brackets count from 1, and this one does not exist"
     cause = absent.get(str(name), usual)
-    slip, next_step = str(name) not in absent and not from_zero, "choose a name of the list"
+    slip, next_step = str(name) not in absent and "[0]" not in str(name), "choose a name of the list"
+    if numbered is not None and numbered in known:
+        slip, next_step = False, f'write "{numbered}"'
     listed = [path.replace("[]", "[1]") for path in known]
     return StudyError.unknown(at or "name of a number", name, listed, cause, slip=slip, next_step=next_step)
+
+
+def with_known_table(name: str, known: Iterable[str]) -> str | None:
+    """A name with the number of the nearest table of the known names in place of one that none of them has.
+
+    None if one of them has it, or no table of this kind.
+    """
+    for bracket in re.finditer(r"\[(\d+)\]", name):
+        start, rest = name[: bracket.start()], name[bracket.end() :]
+        paths = (re.match(rf"{re.escape(start)}\[(\d+)\]", path) for path in known)
+        existing = {int(path[1]) for path in paths if path}
+        if existing and int(bracket[1]) not in existing:
+            nearest = min(existing, key=lambda number: abs(number - int(bracket[1])))
+            return f"{start}[{nearest}]{rest}"
+    return None
 
 
 def _changed(value: Any, changes: dict[str, float], prefix: str, make: Callable[..., Any]) -> Any:

@@ -133,7 +133,9 @@ def _changed(given: Any, key: str, steps: list[str], value: Any) -> Any:
     if isinstance(given, list):
         numbers = [str(number) for number in range(1, len(given) + 1)]
         if step not in numbers:
-            raise StudyError.unknown(key, step, numbers, f"the list has no table {step}", slip=False)
+            raise StudyError.unknown(
+                key, step, numbers, f"tables count from 1; the list has no table {step}", slip=False
+            )
         row = int(step) - 1
         return [*given[:row], _changed(given[row], key, left, value), *given[row + 1 :]]
     inside = given if isinstance(given, dict) else {}  # an impossible step is refused when the result is read

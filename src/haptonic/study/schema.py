@@ -41,6 +41,7 @@ from haptonic.fields import (
     unknown_number,
     unusual_values,
     warn_caller,
+    with_known_table,
     with_numbers,
 )
 from haptonic.fields.expressions import NAMED, check_names
@@ -209,10 +210,7 @@ class Description:
         return unchecked(self, plate_settings=None, ribbon_settings=None)
 
     def parameters(self) -> dict[str, float]:
-        """Values of all numeric parameters in this study, by path and in SI units.
-
-        Constants of built-in materials are among them; a study that changes one has a table of its own.
-        """
+        """Values (SI) of all numeric parameters by path, those of built-in materials among them."""
         return dict(self._parameters)
 
     @cached_property
@@ -259,10 +257,11 @@ class Description:
 
     def _no_parameter(self, path: object, parameters: Mapping[str, float]) -> StudyError:
         """Error for a path that is not a numeric parameter; for other keys with the way to change them."""
-        is_named = str(path).startswith(NAMED)
-        key = None if is_named or path in self.absent_parameters() else key_of(str(path), table(Description))
+        absent, name = self.absent_parameters(), str(path)
+        is_unknown = name.startswith(NAMED) or path in absent or with_known_table(name, parameters)
+        key = None if is_unknown else key_of(name, table(Description))
         if key is None:
-            return unknown_number(path, parameters, self.absent_parameters())
+            return unknown_number(path, parameters, absent)
         return StudyError.malformed(
             argument="name of a number",
             given=shown(path),
