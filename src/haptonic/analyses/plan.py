@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections import Counter
+
 from haptonic.analyses import NAMES, named
 from haptonic.analyses.analysis import Analysis
 from haptonic.analyses.options import NoOptions
@@ -17,7 +19,9 @@ from haptonic.study.schema import Description
 
 def compute(study: Description, options: NoOptions, runner: Runner) -> StudyPlan:
     """Sizes of the study, its plate if it has one, and the estimated cost of every command that applies."""
-    plate = plate_of(study.plate_settings, study.cell) if study.plate_settings else None
+    settings = study.plate_settings
+    plate = plate_of(settings, study.cell) if settings else None
+    letters = Counter(name for row in settings.grid for name in row if name) if settings else {}
     every = ((name, named(name)) for name in NAMES)
     costs = {
         name: _cost(analysis, study)
@@ -31,6 +35,7 @@ def compute(study: Description, options: NoOptions, runner: Runner) -> StudyPlan
         plate=plate,
         costs=costs,
         inputs=study.inputs(),
+        tiles=letters,
         parameters=study.named_parameters,
         expressions=expressions_of(study),
     )

@@ -33,6 +33,7 @@ class StudyPlan(Result):
     study : its title; carrier : Hz, if any
     costs : estimates for the commands that apply to it, by name
     inputs : plain values of the study
+    tiles : letters of the plate's map, by lattice or region; the layout may cut a letter into several tiles
     parameters : named parameters; expressions : texts of the numbers that are given by expressions, by path
     """
 
@@ -44,6 +45,7 @@ class StudyPlan(Result):
     plate: Plate | None
     costs: Mapping[str, Cost]
     inputs: Mapping[str, Any]
+    tiles: Mapping[str, int] = field(default_factory=dict)
     parameters: Mapping[str, ExpressedNumber] = field(default_factory=dict)
     expressions: Mapping[str, str] = field(default_factory=dict)
 
@@ -59,7 +61,7 @@ class StudyPlan(Result):
         )
         if self.plate:
             layout = self.plate.layout
-            data["tiles"] = "region", [len(layout.of(name)) for name in layout.regions], {"units": "1"}
+            data["tiles"] = "region", [self.tiles[name] for name in layout.regions], {"units": "1"}
             data["area"] = "region", [layout.area(name) for name in layout.regions], {"units": "m^2"}
             data = data.assign_coords(region=list(layout.regions))
         return stamped(data, self.inputs)
@@ -121,16 +123,16 @@ class StudyPlan(Result):
         regions: list[tuple[Cell, ...]] = [
             (
                 name,
-                len(tiles),
-                max(box[2] for box in tiles) - min(box[0] for box in tiles),
-                max(box[3] for box in tiles) - min(box[1] for box in tiles),
+                self.tiles[name],
+                max(box[2] for box in own) - min(box[0] for box in own),
+                max(box[3] for box in own) - min(box[1] for box in own),
             )
-            for name, tiles in boxes.items()
+            for name, own in boxes.items()
         ]
         wide = [Column(name, "m", "mm", ".4g") for name in ("x", "y")]
         tables = [Table("regions of plain plate", ("region", "tiles", *wide), regions)] if regions else []
         if len(layout.cells) > 1:
-            tables.insert(0, _lattices(layout))
+            tables.insert(0, _lattices(layout, self.tiles))
         rows: list[tuple[Cell, ...]] = [
             (
                 patch.name,
@@ -185,7 +187,7 @@ def _glue(bond: Bond | None) -> str:
     return "none" if bond is None else f"{bond.material.name}, {format_quantity(bond.thickness, 'm')}"
 
 
-def _lattices(layout: Layout) -> Table:
+def _lattices(layout: Layout, tiles: Mapping[str, int]) -> Table:
     """Lattices of a plate with the sizes in which they differ."""
     values = {
         name: {path: (value, key) for path, value, key in leaves(cell, "cell.") if key}
@@ -196,7 +198,7 @@ def _lattices(layout: Layout) -> Table:
     rows: list[tuple[Cell, ...]] = [
         (
             name,
-            len(layout.of(name)),
+            tiles[name],
             ", ".join(
                 f"{path.removeprefix('cell.')} {format_quantity(sizes[path][0], sizes[path][1].unit)}"
                 for path in differ
