@@ -142,7 +142,12 @@ MAPS = {
     "two pieces": ((MAP, "ooo1.12f\n" * 3), "plate.map", ["12 tiles, 9 tiles", "line 3, column 6"]),
     "joined by a corner": ((MAP, "ooo1112.\n" * 3 + ".......f\n"), "plate.map",
                            ["21 tiles, 1 tiles", "line 4"]),
-    "key of the issue": (("[plate.tiles]", "columns = 3\n[plate.tiles]"), "plate.columns", ["unknown key"]),
+    "columns": (("[plate.tiles]", "columns = 3\n[plate.tiles]"), "plate.columns",
+                ["unknown key", "follows from its map", "add letters or rows"]),
+    "pitch of a plate": (("[plate.tiles]", 'pitch = "7 mm"\n[plate.tiles]'), "plate.pitch",
+                         ["give pitch in [cell]"]),
+    "rim as a size": (("[plate.tiles]", 'margin = "3 mm"\n[plate.tiles]'), "plate.margin",
+                      ["draw it with a letter of its own", "[plate.heights]"]),
 }  # fmt: skip
 LATTICES = {
     "lattice without a pillar": ((PILLAR, ""), (PLATE[PLATE.index("[[plate.cell]]"):], ""),
@@ -161,6 +166,10 @@ LATTICES = {
                        ["its material"]),
     "misspelt change": ((FINE, 'change = { "cell.pillar.heigth" = "3 mm" }'), "plate.cell[1].change",
                         ['write "cell.pillar.height"']),
+    "change of a section": ((FINE, 'change = { "cell.pillar.section" = 3 }'), "plate.cell[1].change",
+                            ["cannot differ between the lattices", "leave it out"]),
+    "turn of a round section": ((FINE, 'change = { "cell.pillar.turn" = "9 deg" }'),
+                                'plate.cell[1] "fine".change', ["cell.pillar.turn"]),
     "absent change": ((FINE, 'change = { "cell.pillar.step.height" = "3 mm" }'),
                       'plate.cell[1] "fine".change',
                       ["this study does not give it", "one of cell.pitch, cell.pillar.diameter"]),
@@ -343,6 +352,16 @@ class TestTwoCarriers:
         }  # fmt: skip
         assert layout.pillars == 72 - len(layout.of("L")) - len(layout.of("straight")) == 72 - 22 - 6
         assert set(layout.tiles[1]) == {"lattice", "L"}  # the foot of the L lies below
+
+    def test_a_lattice_may_turn_its_sections(self):
+        square = 'section = "square"\nturn = "20 deg"'
+        text = edited((FINE, 'change = { "cell.pillar.turn" = "35 deg" }'))
+        study = loads(text.replace("[cell.pillar]", f"[cell.pillar]\n{square}"))
+        turns = {
+            name: np.rad2deg(cell.pillar.turn) for name, cell in study.mounted_plate().layout.cells.items()
+        }
+        assert turns == pytest.approx({"lattice": 20, "fine": 35})
+        assert loads(study.to_toml()) == study
 
     def test_without_a_region_a_centre_counts_from_the_corner_of_the_plate(self):
         study = load(STUDIES / "two_carriers.toml")

@@ -8,6 +8,7 @@ from typing import Annotated, Any, ClassVar
 
 from pydantic import Field, ValidationInfo, field_validator
 
+from haptonic.cell import UnitCell
 from haptonic.design.parameters import UNITS
 from haptonic.errors import StudyError, proposed, shown
 from haptonic.fields import (
@@ -23,8 +24,9 @@ from haptonic.fields import (
     problem,
     setting,
     size,
+    table,
 )
-from haptonic.fields.keys import pattern_of
+from haptonic.fields.keys import ByPattern
 from haptonic.materials import Material
 from haptonic.plate.layout.parts import Actuator, Finger, Force
 from haptonic.plate.layout.supports import Clamp, Edges, Loss
@@ -33,7 +35,15 @@ from haptonic.response.checks import REST, THE_REST
 from haptonic.study.plate_map import check_map, drawn
 from haptonic.vibrometry.settings import CLAMPS
 
-CHANGEABLE = [path for path in UNITS if path.startswith("cell.") and path != "cell.thickness"]
+KEYS = ByPattern(table(UnitCell, "cell."))
+CHANGEABLE = ByPattern({
+    path: key.unit
+    for path, key in KEYS.items()
+    if path.startswith("cell.") and path != "cell.thickness"
+    # unlike a design, another lattice has its own mesh, so that its sections may turn
+    and (path in UNITS or path.endswith(("pillar.turn", "disc[].turn")))
+})  # fmt: skip
+"""Numbers in which the lattices of a plate may differ, and their SI units."""
 LATTICE = "lattice"  # name of the study's own cell in [plate.tiles]
 
 TileSize = Annotated[float, size(100e-9, 100e-3)]
@@ -57,13 +67,13 @@ class LatticeSettings:
         read = {}
         for path, given in _flat(value).items():
             _changeable(path)
-            read[path] = number_of(given, UNITS[path], info.context)
+            read[path] = number_of(given, CHANGEABLE[path], info.context)
         return read
 
     @property
     def units(self) -> Mapping[str, str]:
         """SI unit of every number that a lattice may change."""
-        return UNITS
+        return CHANGEABLE
 
 
 def _flat(tree: dict[str, Any], prefix: str = "") -> dict[str, object]:
@@ -74,10 +84,13 @@ def _flat(tree: dict[str, Any], prefix: str = "") -> dict[str, object]:
 
 
 def _changeable(path: str) -> None:
-    if pattern_of(path) in CHANGEABLE:
+    if path in CHANGEABLE:
         return
-    slip, whole = path not in UNITS, "all lattices of a plate have its thickness and its material"
-    cause = "no number of the cell has this name" if slip else whole
+    slip, cause = path not in KEYS, "it cannot differ between the lattices of a plate"
+    if slip:
+        cause = "no number of the cell has this name"
+    elif path == "cell.thickness" or path.startswith("material."):
+        cause = "all lattices of a plate have its thickness and its material"
     raise handed_on(StudyError.unknown("", path, CHANGEABLE, cause, slip=slip, next_step="leave it out"))
 
 
@@ -99,7 +112,16 @@ class PlateSettings:
             next_step="give thickness in [cell] and material at the top, and leave this key out",
         ),
         **absent(
-            "width", "height", "length", "size", cause="the size of a plate follows from its map",
+            "pitch", "spacing", cause="the tiles of a lattice have the pitch of its cell",
+            next_step="give pitch in [cell]; [plate.widths] gives the width of columns of a region",
+        ),
+        **absent(
+            "margin", "rim", "border", "frame", cause="a rim of plain plate belongs to the map",
+            next_step="draw it with a letter of its own, with its size in [plate.widths] and [plate.heights]",
+        ),
+        **absent(
+            "width", "height", "length", "size", "columns",
+            cause="the size of a plate follows from its map",
             next_step="add letters or rows to the map; [plate.widths] gives the width of columns of a region",
         ),
     }  # fmt: skip
