@@ -18,6 +18,8 @@ from haptonic.study import load
 
 pytestmark = pytest.mark.usefixtures("empty_pictures")
 
+# a second drive, at the study's carrier, without amplitude
+AT_CARRIER = '[[plate.force]]\nname = "F1"\nregion = "WG"\ncentre = ["1 mm", "1 mm"]\nforce = "0 N"'
 PICTURES = ("plan", "maps", "velocity", "contrast", "impedance-A1")
 FILES = {
     "response.nc", "maps.nc", "plate.nc", "modes.nc", "plate.vtu", "carrier.gif",
@@ -90,6 +92,20 @@ def test_plate_answers_one_frequency(inside, plated, monkeypatch):
 def test_plate_refuses(inside, plated, change, at, code, argument):
     ran = inside("plate", plated(change), "--json", *at)
     assert_five_parts(ran, code=code, argument=argument)
+
+
+@pytest.mark.parametrize(
+    ("change", "argument"),
+    [
+        (("loss_factor = 5e-3", "loss_factor = 0.0"), "plate.loss_factor"),
+        (('voltage = "10 V"', 'voltage = "0 V"'), "plate.actuator"),
+        (('voltage = "10 V"', 'voltage = "10 V"\ncarrier = "12 kHz"\n' + AT_CARRIER), "plate.actuator"),
+    ],
+)
+def test_a_plan_and_a_dry_run_refuse_a_plate_that_would_not_answer(inside, plated, change, argument):
+    path = plated(change)
+    assert_five_parts(inside("plate", path, "--dry-run", "--json"), code="missing", argument=argument)
+    assert load(path).plan().costs["plate"].refusal.argument == argument
 
 
 def test_a_study_without_a_plate_is_refused(inside, study):

@@ -57,10 +57,20 @@ class PlateOptions:
 
 
 def check(study: Description, options: PlateOptions) -> None:
-    """Raise an error if the study has no plate, or if its tiles do not resolve the frequencies."""
-    plate = study.mounted_plate()
+    """Refuse a study without plate or carrier, a plate without drive or loss, and too high frequencies.
+
+    Raises
+    ------
+    HaptonicError : one of these
+    """
+    at, carriers = options.at, study.carriers
+    plate = study.mounted_plate(at if at in carriers else None)
+    if at is None:
+        need_carrier(study)
+    for driven in (study.mounted_plate(each) for each in carriers) if at is None else (plate,):
+        _check_driven(driven)
     settings = options.settings or response_settings(study)
-    highest = max(settings.highest, *study.carriers) if options.at is None else options.at
+    highest = max(settings.highest, *carriers) if at is None else at
     check_waves(study, plate, highest)
 
 
@@ -133,8 +143,7 @@ def compute_plate(
     ResourceError : the basis needs more memory than this machine has
     HaptonicError : frequencies at which the required tolerance cannot be reached
     """
-    reference_of(plate)
-    need_loss(plate)
+    _check_driven(plate)
     edges = list(gap.edges) if gap else None
     keys = [
         content_key(
@@ -163,6 +172,12 @@ def compute_plate(
         modes=modes,
         body=body,
     )
+
+
+def _check_driven(plate: Plate) -> None:
+    """Raise StudyError for a plate without a drive or without loss."""
+    reference_of(plate)
+    need_loss(plate)
 
 
 def cost(study: Description, options: PlateOptions) -> Cost:
