@@ -176,6 +176,28 @@ class TestChirp:
             assert np.abs(file["force"][:]).max() == 2.0
         assert "force (N)" in [text.get_text() for text in empty_pictures["signal"].findobj(Text)]
 
+    @pytest.mark.parametrize(
+        ("phase", "advice"),
+        [
+            ("0 deg", "drive it by the same signal, 0.5 times as large"),
+            ("180 deg", "0.5 times as large and inverted"),
+            ("60 deg", 'write voltage = "0 V" in the study of the scan'),
+        ],
+    )
+    def test_it_names_its_drive_and_those_that_only_the_model_has(self, inside, tmp_path, phase, advice):
+        start, end = TINY.index("[[plate.actuator]]"), TINY.index("[scan]")
+        first = TINY[start:end]
+        same = first.replace("A1", "A2").replace("WG1", "WG2").replace("60 V", f'30 V"\nphase = "{phase}')
+        other = '[[plate.force]]\nname = "F1"\ncentre = ["7 mm", "9 mm"]\ncarrier = "70 kHz"\n\n'
+        path, out = tmp_path / "two.toml", tmp_path / "out"
+        path.write_text(TINY[:end] + same + other + TINY[end:], "utf-8")
+        ran = inside("chirp", path, "--json", "--out", out)
+        assert ran.code == 0, ran.err
+        (remark,) = [text for text in ran.json["warnings"] if "the signal is for" in text]
+        assert remark.startswith("the signal is for 'A1' alone, and the model of the scan also drives 'A2'")
+        assert advice in remark
+        assert json.loads((out / "drive.json").read_text())["drive"] == ran.json["drive"] == "A1"
+
     def test_without_a_plate_there_is_no_plan(self, inside, tmp_path):
         path = tmp_path / "cell.toml"
         path.write_text(TINY[: TINY.index("[plate]")], "utf-8")

@@ -62,9 +62,7 @@ class TestSignals:
         with pytest.warns(HaptonicWarning, match="3 Q / f"):
             signal = drive(**USUAL, quality_factor=500.0, kind=kind)
         # 3 x 500 / 20 kHz is 75 ms
-        assert "75 ms" in signal.warnings[0]
-        # in 8 ms, 3 x 500 / 8 ms
-        assert "187.5 kHz" in signal.warnings[0]
+        assert "a single shot of at least 75 ms" in signal.warnings[0]
         with warnings.catch_warnings():
             warnings.simplefilter("error")
             drive(**USUAL | {"duration": 0.0751}, quality_factor=500.0, kind=kind)

@@ -14,8 +14,11 @@ from haptonic.analyses.analysis import Analysis
 from haptonic.analyses.options import NoOptions
 from haptonic.analyses.runner import Runner
 from haptonic.analyses.support import no_cell
+from haptonic.errors import shown
 from haptonic.later import Figure, xarray as xr
 from haptonic.plate import Plate
+from haptonic.plate.layout.parts import Actuator
+from haptonic.plate.layout.sampling import reference_of
 from haptonic.results.cost import Cost
 from haptonic.results.result import Result, figure, file
 from haptonic.results.table import Table
@@ -25,6 +28,8 @@ from haptonic.vibrometry.chirp import Drive, drive_notes, write_drive
 from haptonic.vibrometry.of_settings import drive_for, plan_for
 from haptonic.vibrometry.planning import ScanPlan
 from haptonic.vibrometry.settings import ScanSettings
+
+REAL = 1e-9  # imaginary part of a ratio of amplitudes, in shares of it, below which drives are in phase
 
 
 def _has_plan(result: Excitation) -> bool:
@@ -46,6 +51,11 @@ class Excitation(Result):
     plan: ScanPlan | None
 
     @property
+    def driven(self) -> str | None:
+        """Name of the patch or force that the signal is for; None without a plate."""
+        return reference_of(self.plate)[0].name if self.plate else None
+
+    @property
     def dataset(self) -> xr.Dataset:
         """One period of the drive, and the points of the plan in the order of the stage."""
         time = np.arange(len(self.drive.samples)) / self.drive.sample_rate
@@ -64,7 +74,7 @@ class Excitation(Result):
 
     @file("drive.json")
     def _write_notes(self, path: Path) -> None:
-        notes = drive_notes(self.drive) | {"averages": self.settings.averages}
+        notes = {"drive": self.driven, **drive_notes(self.drive), "averages": self.settings.averages}
         path.write_text(json.dumps(notes, indent=1) + "\n", "utf-8")
 
     @file("scan_plan.csv", when=_has_plan)
@@ -86,7 +96,8 @@ class Excitation(Result):
     def tables(self) -> list[Table]:
         facts = self.facts()
         plan = facts["plan"]
-        rows = [
+        rows = [("drive", self.driven)] if self.driven else []
+        rows += [
             ("band", hz_text(facts['low'], facts['high'], form='.5g')),
             ("lines", f"{facts['lines']:.0f}, {facts['line_spacing_hz']:.4g} Hz apart"),
             ("period", f"{facts['duration_s'] * 1e3:.4g} ms, {facts['averages']:.0f} recorded at each point"),
@@ -101,6 +112,10 @@ class Excitation(Result):
             ]
         return [Table("excitation", ("what", "value"), rows)]
 
+    def remarks(self) -> list[str]:
+        """Sentences on drives that the plate's model has beside the one that plays the signal."""
+        return [] if self.plate is None else _not_played(self.plate)
+
     def facts(self) -> dict[str, Any]:
         drive, plan = self.drive, self.plan
         planned = None
@@ -110,6 +125,7 @@ class Excitation(Result):
                 "measuring_s": len(plan.points) * self.settings.averages * drive.duration,
             }  # fmt: skip
         return drive_notes(drive) | {
+            "drive": self.driven,
             "line_spacing_hz": drive.line_spacing,
             "lines": int(np.rint((drive.band[1] - drive.band[0]) * drive.duration)) + 1,
             "duration_s": drive.duration,
@@ -117,6 +133,25 @@ class Excitation(Result):
             "notes": list(drive.warnings),
             "plan": planned,
         }
+
+
+def _not_played(plate: Plate) -> list[str]:
+    """Sentence on each drive of the carrier but the first: the model of a scan has their amplitudes."""
+    first, *others = (drive for drive in plate.drives if drive.amplitude)
+    sentences = []
+    for drive in others:
+        ratio = drive.amplitude / first.amplitude
+        if type(drive) is type(first) and abs(ratio.imag) < REAL * abs(ratio):
+            inverted = " and inverted" if ratio.real < 0 else ""
+            advice = f"drive it by the same signal, {abs(ratio):.4g} times as large{inverted}"
+        else:
+            off = 'voltage = "0 V"' if isinstance(drive, Actuator) else 'force = "0 N"'
+            advice = f"no amplifier makes its share from this signal, so write {off} in the study of the scan"
+        sentences.append(
+            f"the signal is for {shown(first.name)} alone, and the model of the scan also drives "
+            f"{shown(drive.name)}: {advice}"
+        )
+    return sentences
 
 
 def compute(study: Description, options: NoOptions, runner: Runner) -> Excitation:

@@ -187,11 +187,10 @@ def _warnings(
     if quality_factor is not None:
         needed = RING_DOWNS * quality_factor / band[0]
         if duration < needed:
-            safe = RING_DOWNS * quality_factor / duration
             notes.append(
                 f"the period of {duration * 1e3:g} ms is shorter than {needed * 1e3:.4g} ms, the ring-down "
-                f"3 Q / f at {hz_text(band[0], form='g')}: repeat it, and do not record the first period; "
-                f"a single shot would do only above {hz_text(safe, form='.4g')}"
+                f"3 Q / f at {hz_text(band[0], form='g')}: repeat it, and do not record the first period, "
+                f"or record a single shot of at least {needed * 1e3:.4g} ms"
             )
     return notes
 
