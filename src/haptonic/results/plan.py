@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import product
 from pathlib import Path
@@ -18,7 +18,7 @@ from haptonic.fields.keys import leaves
 from haptonic.later import Axes, Figure, psutil, xarray as xr
 from haptonic.names import counted, listed
 from haptonic.plate import Layout, Plate
-from haptonic.plate.layout.parts import Bond
+from haptonic.plate.layout.parts import Actuator, Bond, Force
 from haptonic.results.common import stamped
 from haptonic.results.cost import Cost
 from haptonic.results.result import Result, figure
@@ -133,7 +133,7 @@ class StudyPlan(Result):
         tables = [Table("regions of plain plate", ("region", "tiles", *wide), regions)] if regions else []
         if len(layout.cells) > 1:
             tables.insert(0, _lattices(layout, self.tiles))
-        rows: list[tuple[Cell, ...]] = [
+        patches = [
             (
                 patch.name,
                 " x ".join(f"{side * 1e3:.4g}" for side in patch.size),
@@ -144,21 +144,33 @@ class StudyPlan(Result):
             )
             for patch in plate.actuators
         ]
-        columns: list[Column | str] = [
-            "patch",
-            "size / mm",
-            "material",
-            "glue",
-            *wide,
-            Column("voltage", "V", form=".4g"),
+        of_patch = "patch", "size / mm", "material", "glue", *wide, Column("voltage", "V")
+        forces = [(force.name, *force.centre, force.force) for force in plate.forces]
+        of_force = "force", *wide, Column("amplitude", "N")
+        return [
+            *tables,
+            *self._of_drives("patches, by their centres on the plate", of_patch, patches, plate.actuators),
+            *self._of_drives("forces, by their centres on the plate", of_force, forces, plate.forces),
         ]
-        if len(plate.carriers(self.carrier or 0.0)) > 1:
-            columns.append(Column("carrier", "Hz", "kHz", "g"))
-            rows = [
-                (*row, patch.carrier or self.carrier)
-                for row, patch in zip(rows, plate.actuators, strict=True)
-            ]
-        return [*tables, Table("patches, by their centres on the plate", columns, rows)] if rows else tables
+
+    def _of_drives(
+        self,
+        title: str,
+        columns: Sequence[Column | str],
+        rows: Sequence[tuple[Cell, ...]],
+        drives: Sequence[Actuator | Force],
+    ) -> list[Table]:
+        """Table of drives with their phases, if one has a phase, and their carriers, if there are several."""
+        assert self.plate is not None
+        more: list[tuple[Column, list[Cell]]] = []
+        if any(drive.phase for drive in drives):
+            more.append((Column("phase", "rad", "deg"), [drive.phase for drive in drives]))
+        if len(self.plate.carriers(self.carrier or 0.0)) > 1:
+            carriers: list[Cell] = [drive.carrier or self.carrier for drive in drives]
+            more.append((Column("carrier", "Hz", "kHz", "g"), carriers))
+        added = zip(*(cells for _, cells in more), strict=True) if more else [()] * len(rows)
+        rows = [(*row, *cells) for row, cells in zip(rows, added, strict=True)]
+        return [Table(title, [*columns, *(column for column, _ in more)], rows)] if rows else []
 
     def remarks(self) -> list[str]:
         free = psutil.virtual_memory().available
