@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator
 from itertools import cycle
 from typing import Any
 
+import matplotlib as mpl
 import numpy as np
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection, PatchCollection
 from matplotlib.figure import Figure
+from matplotlib.font_manager import FontProperties
 from matplotlib.lines import Line2D
 from matplotlib.patches import Circle, Patch, Polygon, Rectangle
 from matplotlib.patheffects import withStroke
@@ -22,10 +24,14 @@ from haptonic.plate.layout.parts import Plate
 from haptonic.plate.layout.supports import WORDS, Hold
 from haptonic.plots import style
 from haptonic.plots.stage import stage
-from haptonic.plots.text import label
+from haptonic.plots.text import LETTER, label
 
 AROUND = 48  # points on a curved outline
 HALO = [withStroke(linewidth=2.2, foreground="white")]  # keeps text readable on any colour
+TALLER = 1.4  # height of a line with its distance to others, over the size of the type
+MARK = 7.0  # points, size of the mark of a force
+PLACES = 9  # places for a name along each side of a tile
+MOST_TILES = 500  # of a region, in which places for its name are compared
 REGION = "#d6e8f5"
 LATTICES = ("#f3f3f3", "#f6dfa4", "#d9c9e3", "#c9e3cf", "#f2cfc4")  # tints, in the order of the lattices
 HOLDS: dict[Hold, tuple[str, style.Dashes]] = {
@@ -48,13 +54,6 @@ def plate_plan(plate: Plate, visited: Array | None = None, *, ax: Axes | None = 
     handles = [*_draw_tiles(axes, layout), *_draw_supports(axes, plate), *_draw_parts(axes, plate)]
     if visited is not None:
         handles += _draw_way(axes, 1e3 * visited)
-    # the name of an actuator is at its upper side
-    busy = [(actuator.centre[0], actuator.centre[1] + 0.5 * actuator.size[1]) for actuator in plate.actuators]
-    busy += [force.centre for force in plate.forces]
-    busy += [plate.finger.centre] if plate.finger else []
-    for name in layout.regions:
-        x, y = _free_place(list(rows_of(layout, name)), busy)
-        axes.text(1e3 * x, 1e3 * y, name, ha="center", va="center", gid="region name")
     margin = 0.04 * 1e3 * max(layout.x[-1] - layout.x[0], layout.y[-1] - layout.y[0])
     axes.set(
         aspect="equal",
@@ -64,6 +63,10 @@ def plate_plan(plate: Plate, visited: Array | None = None, *, ax: Axes | None = 
         ylabel="y (mm)",
     )
     on.legend(handles, ncols=3)
+    parts = _boxes_of_parts(axes, plate)
+    for name in layout.regions:
+        x, y = _free_place(layout, name, parts, _half_size(axes, name))
+        axes.text(1e3 * x, 1e3 * y, name, ha="center", va="center", gid="region name")
     return on.figure
 
 
@@ -80,20 +83,60 @@ def rows_of(layout: Layout, name: str) -> Iterator[tuple[float, float, float]]:
         yield 0.5 * (layout.x[first] + layout.x[last + 1]), 0.5 * (low + top), top
 
 
-def _free_place(
-    rows: Sequence[tuple[float, float, float]], busy: Sequence[tuple[float, float]]
-) -> tuple[float, float]:
-    """Place (x, y) in rows as of `rows_of`, far from busy places; in the middle of a row if one is free."""
+def _half_size(axes: Axes, text: str) -> Array:
+    """Half the width and height of a text in axes with their limits, estimated, m."""
+    axes.apply_aspect()
+    (start, _), (end, _) = axes.transData.transform([(0.0, 0.0), (1.0, 1.0)]).tolist()
+    size = FontProperties(size=mpl.rcParams["font.size"]).get_size_in_points()
+    figure = axes.get_figure(root=True)
+    assert figure is not None, "axes that belong to no figure"
+    height: float = TALLER * size * 1e-3 * figure.dpi / 72 / (end - start)
+    return 0.5 * height * np.array([LETTER * len(text), 1.0])
 
-    def distance(place: tuple[float, float]) -> float:
-        return min((float(np.hypot(place[0] - x, place[1] - y)) for x, y in busy), default=1.0)
 
-    half = min(top - y for _, y, top in rows)
-    middles = [(x, y) for x, y, _ in rows]
-    best = max(middles, key=distance)
-    if distance(best) > 0.5 * half:
-        return best
-    return max(((x, y + side * 0.6 * half) for x, y in middles for side in (-1, 1)), key=distance)
+def _boxes_of_parts(axes: Axes, plate: Plate) -> Array:
+    """(n, 4) left, bottom, right, top of actuators and forces with their names, and of a finger, m."""
+    named = [(part.centre, part.size[:2], part.name) for part in plate.actuators]
+    mark = tuple(2 * _half_size(axes, "X"))
+    named += [(part.centre, part.size or mark, part.name) for part in plate.forces]
+    boxes = []
+    for (x, y), size, name in named:
+        half, written = 0.5 * np.array(size), _half_size(axes, name)
+        across = max(half[0], written[0])
+        boxes.append((x - across, y - half[1], x + across, y + half[1] + 2 * written[1]))
+    if plate.finger is not None:
+        (x, y), radius = plate.finger.centre, 0.5 * plate.finger.diameter
+        boxes.append((x - radius, y - radius, x + radius, y + radius))
+    return np.reshape(boxes, (-1, 4))
+
+
+def _free_place(layout: Layout, name: str, parts: Array, half: Array) -> tuple[float, float]:
+    """Place (x, y) for the name of a region: in the middle of a row if parts leave room, or beside them, m.
+
+    Parameters
+    ----------
+    parts : boxes as of `_boxes_of_parts`
+    half : half the size of the name, m
+    """
+
+    def room(places: Array, boxes: Array, unit: Array | float) -> Array:
+        """Half the size of the largest box about each place that is free of others, in shares of a unit."""
+        middles, sizes = 0.5 * (boxes[:, :2] + boxes[:, 2:]), boxes[:, 2:] - boxes[:, :2]
+        away = (np.abs(places[:, None] - middles) - 0.5 * sizes) / unit
+        return np.asarray(away.max(axis=2).min(axis=1, initial=np.inf))
+
+    middles = np.array([(x, y) for x, y, _ in rows_of(layout, name)])
+    best = int(room(middles, parts, 1.0).argmax())
+    if room(middles[[best]], parts, half)[0] < 1:
+        edges = np.concatenate([np.hstack([loop, np.roll(loop, -1, 0)]) for loop in outline(layout, {name})])
+        edges = np.hstack([np.minimum(edges[:, :2], edges[:, 2:]), np.maximum(edges[:, :2], edges[:, 2:])])
+        own = layout.of(name)
+        tiles = np.array([layout.bounds(tile) for tile in own[:: 1 + len(own) // MOST_TILES]])
+        shares = (np.mgrid[:PLACES, :PLACES].reshape(2, -1).T + 0.5) / PLACES
+        middles = (tiles[:, None, :2] + shares * (tiles[:, None, 2:] - tiles[:, None, :2])).reshape(-1, 2)
+        best = int(room(middles, np.vstack([parts, edges]), half).argmax())
+    x, y = middles[best].tolist()
+    return x, y
 
 
 def region_borders(layout: Layout, name: str) -> list[Array]:
@@ -178,9 +221,17 @@ def _draw_parts(axes: Axes, plate: Plate) -> list[Artist]:
     for force in plate.forces:
         if force.size is not None:
             axes.add_patch(_rectangle(force.centre, force.size, fill=False, edgecolor=style.RED, zorder=5))
-        spot = {"marker": "X", "ms": 7, "mfc": style.RED, "mec": style.INK, "mew": 0.6, "ls": "", "zorder": 6}
+        spot = {
+            "marker": "X",
+            "ms": MARK,
+            "mfc": style.RED,
+            "mec": style.INK,
+            "mew": 0.6,
+            "ls": "",
+            "zorder": 6,
+        }
         axes.plot(1e3 * force.centre[0], 1e3 * force.centre[1], gid=f"force {force.name}", **spot)  # type: ignore[arg-type]
-        _name(axes, force.centre, 0.5 * force.size[1] if force.size else 0.002, force.name)
+        _name(axes, force.centre, 0.5 * force.size[1] if force.size else 0.0, force.name, 0.5 * MARK)
         handles["force"] = Line2D([], [], **spot, label="normal force")  # type: ignore[arg-type]
     if plate.finger is not None:
         look = {"fill": False, "edgecolor": style.PURPLE, "lw": 1.8, "ls": style.DASHED, "zorder": 5}
@@ -205,10 +256,10 @@ def _rectangle(centre: tuple[float, float], size: tuple[float, float], **look: A
     return Rectangle(corner, 1e3 * size[0], 1e3 * size[1], **look)
 
 
-def _name(axes: Axes, centre: tuple[float, float], above: float, name: str) -> None:
-    """Write a name above a part; ``above`` is from its middle to its upper side, m."""
+def _name(axes: Axes, centre: tuple[float, float], above: float, name: str, mark: float = 0.0) -> None:
+    """Write a name above a part; ``above`` is from its middle to its upper side, m, ``mark`` more, points."""
     axes.annotate(
-        name, (1e3 * centre[0], 1e3 * (centre[1] + above)), xytext=(0, 3), textcoords="offset points",
+        name, (1e3 * centre[0], 1e3 * (centre[1] + above)), xytext=(0, 3 + mark), textcoords="offset points",
         ha="center", va="bottom", zorder=7, gid="name",
         bbox={"boxstyle": "round,pad=0.1", "facecolor": "white", "edgecolor": "none", "alpha": 0.8},
     )  # fmt: skip

@@ -18,10 +18,10 @@ from haptonic.plots.labels import LABEL_RIGHT, label_right
 from haptonic.plots.looks import choice
 from haptonic.plots.marks import LINE
 from haptonic.plots.plates import HALO
+from haptonic.plots.text import LETTER
 
 LABEL_WITHIN = "label within"
 LEGEND = "legend with a share of the height of"
-LETTER = 0.56  # width of a letter over the size of the type
 HANDLE = 5.0  # width of a handle with its distances to texts, over the size of the type
 BESIDE = 0.4  # of the width of the axes, that a name to the right of them may have
 ROOM = 0.5  # of the height of the axes, that a legend may have

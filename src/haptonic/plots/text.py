@@ -15,6 +15,7 @@ if TYPE_CHECKING:
 
 WavevectorUnit = Literal["rad/m", "pi/a"]
 
+LETTER = 0.56  # width of a letter over the size of the type
 _PREFIXED = {0: "", 3: "m", 6: "µ", 9: "n", 12: "p"}  # by the power of ten by which they divide
 _SCALED = {"m": ("mm", 1e3), "Hz": ("kHz", 1e-3), "Pa": ("GPa", 1e-9), "rad": ("deg", 180 / math.pi)}
 _PROPERLY = {

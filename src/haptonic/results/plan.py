@@ -144,9 +144,16 @@ class StudyPlan(Result):
             )
             for patch in plate.actuators
         ]
-        of_patch = "patch", "size / mm", "material", "glue", *wide, Column("voltage", "V")
+        of_patch: list[Column | str] = [
+            "patch",
+            "size / mm",
+            "material",
+            "glue",
+            *wide,
+            Column("voltage", "V"),
+        ]
         forces = [(force.name, *force.centre, force.force) for force in plate.forces]
-        of_force = "force", *wide, Column("amplitude", "N")
+        of_force: list[Column | str] = ["force", *wide, Column("amplitude", "N")]
         return [
             *tables,
             *self._of_drives("patches, by their centres on the plate", of_patch, patches, plate.actuators),
