@@ -104,8 +104,9 @@ def test_plate_refuses(inside, plated, change, at, code, argument):
 )
 def test_a_plan_and_a_dry_run_refuse_a_plate_that_would_not_answer(inside, plated, change, argument):
     path = plated(change)
-    assert_five_parts(inside("plate", path, "--dry-run", "--json"), code="missing", argument=argument)
-    assert load(path).plan().costs["plate"].refusal.argument == argument
+    for command in ("plate", "feel"):
+        assert_five_parts(inside(command, path, "--dry-run", "--json"), code="missing", argument=argument)
+        assert load(path).plan().costs[command].refusal.argument == argument
 
 
 def test_a_study_without_a_plate_is_refused(inside, study):

@@ -11,6 +11,7 @@ from haptonic.analyses.analysis import Analysis
 from haptonic.analyses.needs import need_carrier
 from haptonic.analyses.options import option
 from haptonic.analyses.plate_needs import (
+    check_driven,
     check_waves,
     checked_fineness,
     driven_at,
@@ -66,7 +67,7 @@ class FeelOptions:
 
 
 def check(study: Description, options: FeelOptions) -> None:
-    """Refuse a reduction that is not between 0 and 1, a force that is too large, and a frequency too high.
+    """Refuse a wrong reduction, a plate without drive or loss, and too large a force or frequency.
 
     Raises
     ------
@@ -74,8 +75,9 @@ def check(study: Description, options: FeelOptions) -> None:
     """
     if options.reduction is not None:
         check_reduction(options.reduction)
-    plate, carrier = study.mounted_plate(), need_carrier(study)
+    plate, carrier = driven_at(study, options.at), need_carrier(study)
     middle = carrier if options.at is None else options.at
+    check_driven(plate)
     check_force(study.touch.at(middle), study.touch.skin.values)
     check_waves(study, plate, middle)
 

@@ -11,6 +11,7 @@ from haptonic.analyses.costs import gaps
 from haptonic.analyses.needs import need_carrier
 from haptonic.analyses.options import option
 from haptonic.analyses.plate_needs import (
+    check_driven,
     check_waves,
     checked_fineness,
     driven_at,
@@ -26,8 +27,8 @@ from haptonic.bloch import Gap
 from haptonic.bloch.gaps import common_gap, shared_gaps
 from haptonic.fields import FREQUENCY
 from haptonic.plate import Fineness, Plate
-from haptonic.plate.layout.sampling import check_grid, reference_of
-from haptonic.plate.vibration.responses import band_response, need_loss
+from haptonic.plate.layout.sampling import check_grid
+from haptonic.plate.vibration.responses import band_response
 from haptonic.plate.vibration.settings import ResponseSettings
 from haptonic.plate.vibration.sweep import check_cost
 from haptonic.progress import Progress, silent
@@ -64,11 +65,11 @@ def check(study: Description, options: PlateOptions) -> None:
     HaptonicError : one of these
     """
     at, carriers = options.at, study.carriers
-    plate = study.mounted_plate(at if at in carriers else None)
+    plate = driven_at(study, at)
     if at is None:
         need_carrier(study)
     for driven in (study.mounted_plate(each) for each in carriers) if at is None else (plate,):
-        _check_driven(driven)
+        check_driven(driven)
     settings = options.settings or response_settings(study)
     highest = max(settings.highest, *carriers) if at is None else at
     check_waves(study, plate, highest)
@@ -143,7 +144,7 @@ def compute_plate(
     ResourceError : the basis needs more memory than this machine has
     HaptonicError : frequencies at which the required tolerance cannot be reached
     """
-    _check_driven(plate)
+    check_driven(plate)
     edges = list(gap.edges) if gap else None
     keys = [
         content_key(
@@ -172,12 +173,6 @@ def compute_plate(
         modes=modes,
         body=body,
     )
-
-
-def _check_driven(plate: Plate) -> None:
-    """Raise StudyError for a plate without a drive or without loss."""
-    reference_of(plate)
-    need_loss(plate)
 
 
 def cost(study: Description, options: PlateOptions) -> Cost:

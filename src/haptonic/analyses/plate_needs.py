@@ -15,8 +15,9 @@ from haptonic.cell import UnitCell
 from haptonic.errors import HaptonicWarning
 from haptonic.plate import Fineness, Plate
 from haptonic.plate.body.reduction import BLOCK, STEPS
-from haptonic.plate.layout.sampling import driven_regions
+from haptonic.plate.layout.sampling import driven_regions, reference_of
 from haptonic.plate.vibration.forecast import Counted
+from haptonic.plate.vibration.responses import need_loss
 from haptonic.plate.vibration.settings import ResponseSettings
 from haptonic.results.common import accuracy_remarks
 from haptonic.results.cost import Cost
@@ -49,6 +50,12 @@ def fineness(study: Description) -> Fineness | None:
     rings = usual.rings if rings is None else rings
     drawn = usual.drawn if mesh.order is None else order
     return Fineness(min(order, usual.along), usual.through, cell=order, rings=rings, plain=order, drawn=drawn)
+
+
+def check_driven(plate: Plate) -> None:
+    """Raise StudyError for a plate without a drive or without loss."""
+    reference_of(plate)
+    need_loss(plate)
 
 
 def check_waves(study: Description, plate: Plate, highest: float) -> None:

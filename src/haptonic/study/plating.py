@@ -136,7 +136,7 @@ def lattices(
             if path not in parameters:
                 raise _refused(
                     "unknown", at, path,
-                    f"one of {', '.join(each for each in CHANGEABLE if each in parameters)}",
+                    f"one of {', '.join(each for each in parameters if each in CHANGEABLE)}",
                     "this study does not give it", "give it in [cell] first, or leave it out here",
                 )  # fmt: skip
         try:
