@@ -161,6 +161,17 @@ def test_a_response_that_is_there_is_not_computed_again(inside, plated, scan, mo
     assert ran.json["agreement"]["model as given"]["shapes"] == "operating shapes"
 
 
+def test_a_constant_of_a_built_in_material_is_fitted_and_written(inside, plated, scan, tmp_path):
+    out = tmp_path / "out"
+    ran = inside("verdict", scan(), plated((MATERIAL[1], MATERIAL[0])), "--json", "--out", out)
+    assert ran.code == 0, ran.err
+    fitted = {parameter["name"]: parameter["value"] for parameter in ran.json["fit"]["parameters"]}
+    assert fitted["material.youngs_modulus"] == pytest.approx(73e9, rel=1e-2)
+    material = load(out / "fitted.toml").cell.material
+    assert material.youngs_modulus == pytest.approx(fitted["material.youngs_modulus"], rel=1e-12)
+    assert material.density == pytest.approx(2700)
+
+
 @pytest.mark.parametrize(
     ("others", "code", "argument"),
     [
@@ -200,7 +211,6 @@ def test_files_in_the_way_stop_it_before_the_work(inside, plated, scan, tmp_path
         (('from = "63 GPa"', 'from = "63 mm"'), "malformed", "fit.vary[1].from"),
         ((LOSS, YOUNG), "repeated", "fit.vary"),
         (('highest = "20 kHz"', 'highest = "500 Hz"'), "conflict", "fit.highest"),
-        ((MATERIAL[1], MATERIAL[0]), "missing", "fit.vary[1].parameter"),
     ],
 )  # fmt: skip
 def test_unknowns_that_cannot_be_fitted_are_refused(inside, plated, scan, change, code, argument):
