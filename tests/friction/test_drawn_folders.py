@@ -60,8 +60,15 @@ def test_drawn_folders(tmp_path, draw):
 
 @pytest.mark.parametrize(
     "number",
-    [1345, 1586, 1723, 3301, 3405],
-    ids=["rare clear comma", "few steps", "few steps, others more", "equal samples", "scatter like a drift"],
+    [32, 1345, 1586, 1723, 3301, 3405],
+    ids=[
+        "coarse steps at rest",
+        "rare clear comma",
+        "few steps",
+        "few steps, others more",
+        "equal samples",
+        "scatter like a drift",
+    ],
 )
 def test_rare_folders(tmp_path, number):
     result = outcome(tmp_path / "a", drawn_at(number))

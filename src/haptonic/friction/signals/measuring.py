@@ -38,6 +38,7 @@ TOGETHER = 64  # strokes; their channels fit into the processor's cache
 # lies on it from the start is lifted in the end, which leaves little of the force at the start.
 LITTLE = 0.2
 QUIETER = 0.5  # of the scatter of the normal force at the start: an end with less is without a finger
+FLICKER = 0.5  # of a step of the converter: largest scatter of a quiet force between two steps
 
 
 @dataclass(frozen=True, eq=False)
@@ -164,8 +165,10 @@ def processed(channels: Array, rate: float, rules: Rules) -> Processed:
         touched = np.ptp(smooth[0, :, :window], axis=1) > rules.threshold
         leaves = (stroke > rules.threshold) & ~back
         # a sensor at rest shows zero, or if it has an offset, less motion than a finger
-        quieter = smooth[0, :, -window:].std(axis=1) < QUIETER * smooth[0, :, :window].std(axis=1)
-        touched |= leaves & ((np.abs(far) < LITTLE * np.abs(start[0])) | quieter)
+        scatter, last = (smooth[0, :, part].std(axis=1) for part in (slice(window), slice(-window, None)))
+        quieter = leaves & (last < QUIETER * scatter)
+        quieter[quieter] = scatter[quieter] > FLICKER * _steps(channels[0, quieter])
+        touched |= quieter | leaves & (np.abs(far) < LITTLE * np.abs(start[0]))
         rest, settled = rest_of(channels[:2], smooth[0], start, back, window)
         forces = forces - rest
         zero = start[0]
@@ -189,6 +192,11 @@ def processed(channels: Array, rate: float, rules: Rules) -> Processed:
         drift=drift,
         drifting=drifting,
     )
+
+
+def _steps(channel: Array) -> Array:
+    """(stroke,) smallest difference of two values of a channel (stroke, sample)."""
+    return np.array([np.diff(np.unique(values)).min(initial=np.inf) for values in channel])
 
 
 def _measured(records: list[Record], rules: Rules) -> tuple[dict[str, NDArray[np.generic]], RangeEnds]:
