@@ -37,8 +37,10 @@ TOGETHER = 64  # strokes; their channels fit into the processor's cache
 # Without a finger, the sensor's output is small relative to the force of a stroke, and quiet. A finger that
 # lies on it from the start is lifted in the end, which leaves little of the force at the start.
 LITTLE = 0.2
-QUIETER = 0.5  # of the scatter of the normal force at the start: an end with less is without a finger
-FLICKER = 0.5  # of a step of the converter: largest scatter of a quiet force between two steps
+QUIETER = 0.25  # of the scatter of the normal force at the start: an end with less is without a finger
+# Scatter of a finger's force within the bias window, of the force of the stroke. Noise, drift and steps of
+# converters in drawn folders had up to 0.0053 where the end was also quieter.
+UNSTEADY = 0.006
 
 
 @dataclass(frozen=True, eq=False)
@@ -166,9 +168,8 @@ def processed(channels: Array, rate: float, rules: Rules) -> Processed:
         leaves = (stroke > rules.threshold) & ~back
         # a sensor at rest shows zero, or if it has an offset, less motion than a finger
         scatter, last = (smooth[0, :, part].std(axis=1) for part in (slice(window), slice(-window, None)))
-        quieter = leaves & (last < QUIETER * scatter)
-        quieter[quieter] = scatter[quieter] > FLICKER * _steps(channels[0, quieter])
-        touched |= quieter | leaves & (np.abs(far) < LITTLE * np.abs(start[0]))
+        quieter = (scatter > UNSTEADY * stroke) & (last < QUIETER * scatter)
+        touched |= leaves & ((np.abs(far) < LITTLE * np.abs(start[0])) | quieter)
         rest, settled = rest_of(channels[:2], smooth[0], start, back, window)
         forces = forces - rest
         zero = start[0]
@@ -192,11 +193,6 @@ def processed(channels: Array, rate: float, rules: Rules) -> Processed:
         drift=drift,
         drifting=drifting,
     )
-
-
-def _steps(channel: Array) -> Array:
-    """(stroke,) smallest difference of two values of a channel (stroke, sample)."""
-    return np.array([np.diff(np.unique(values)).min(initial=np.inf) for values in channel])
 
 
 def _measured(records: list[Record], rules: Rules) -> tuple[dict[str, NDArray[np.generic]], RangeEnds]:
