@@ -146,6 +146,14 @@ def test_there_is_no_guide_where_other_waves_propagate():
         Guide.of(rows(), 50.0).width(58.0 * KILOHERTZ, 0)
 
 
+def test_a_mode_is_found_below_the_frequency_from_which_other_waves_propagate():
+    long_waves, omega = Guide.of(rows(), 130.0), 58.0 * KILOHERTZ
+    with refusing(StudyError, "no-answer", "waveguide.mode"):
+        long_waves.wall(65.0 * KILOHERTZ)
+    mode = long_waves.mode(long_waves.width(omega, 0), 0, (53.0 * KILOHERTZ, 65.0 * KILOHERTZ))
+    assert mode.omega == pytest.approx(omega, rel=1e-9)
+
+
 def test_there_is_no_mode_where_the_lattice_passes_waves_or_bending_waves_decay():
     leaky = Guide.of(rows(), 14.5 * np.pi / LENGTH)
     assert not leaky.wall(49.5 * KILOHERTZ).closed

@@ -88,6 +88,13 @@ def test_every_map_is_a_watertight_surface_of_its_volume_or_is_refused(lines):
     check_surface(part, mounted.layout)
 
 
+def test_columns_of_a_piece_lie_along_x_whichever_translation_is_the_shorter():
+    oblique = Lattice(a1=(7 * MM, 0.0), a2=(3 * MM, 6 * MM))
+    assert oblique.a1 == pytest.approx((3 * MM, 6 * MM))
+    part = Part.piece(UnitCell(oblique, 1 * MM, METAL, Pillar(3 * MM, 4 * MM)), 3, 2)
+    assert np.ptp(part.outline[0], axis=0) == pytest.approx([3 * 7 + 2 * 3, 2 * 6])
+
+
 @pytest.mark.parametrize("name", PLATES)
 def test_the_step_file_is_one_solid_of_the_maps_volume_and_size(name, tmp_path):
     occ = pytest.importorskip("netgen.occ", reason="the extra cad is not installed")

@@ -23,6 +23,7 @@ from haptonic.later import linalg as la
 from haptonic.units import hz_text
 
 LEAD = "A0"  # the wave that is guided
+WITHIN = 1e-4  # of an interval's upper end: accuracy of the frequency from which further waves propagate
 SAMPLES = 401  # positions of a mode across the strip
 CLOSED = 1e-6  # rad, largest phase mismatch of a mode
 
@@ -319,6 +320,7 @@ def _mode(
         wall = guide_at(omega).wall(omega)
         return (wall.phase(width, nodal_lines) if wall else 0.0) - (nodal_lines + 1) * np.pi
 
+    between = _with_one_wave(guide_at, between)
     omega = _root(misfit, *between)
     if omega is not None:
         guide = guide_at(omega)
@@ -327,6 +329,30 @@ def _mode(
             along = float(guide.interface.tangential[0])
             return _guided_mode(wall, omega, along, width, nodal_lines)
     raise _no_mode(nodal_lines, f"{_kilohertz(between[0])} to {_kilohertz(between[1])}")
+
+
+def _with_one_wave(
+    guide_at: Callable[[float], Guide], between: tuple[float, float]
+) -> tuple[float, float]:
+    """The lower part of an interval of angular frequencies, in which one wave propagates across the strip.
+
+    In-plane and diffracted waves propagate above a frequency of their own.
+
+    Raises
+    ------
+    StudyError : other waves propagate already at the lower end
+    """
+    low, high = between
+    guide_at(low).wall(low)
+    top = high
+    while high - low > WITHIN * between[1]:
+        try:
+            guide_at(top).wall(top)
+            low = top
+        except StudyError:
+            high = top
+        top = 0.5 * (low + high)
+    return between[0], low
 
 
 def _guided_mode(wall: Wall, omega: float, along: float, width: float, nodal_lines: int) -> GuidedMode:

@@ -65,7 +65,7 @@ class Part:
 
     @classmethod
     def piece(cls, cell: UnitCell, columns: int = 1, rows: int = 1) -> Part:
-        """Make ``columns`` x ``rows`` cells about the origin; columns follow the lattice's first translation.
+        """Make ``columns`` x ``rows`` cells about the origin; columns follow the translation nearer to x.
 
         A cell of several sites is cut in the widest gap between them.
 
@@ -87,8 +87,13 @@ class Part:
         features = tuple(f.scaled(MM) if isinstance(f, Pillar) else f for f in cell.features)
         source, cell = cell, _in_mm(cell)
         assert np.linalg.det(cell.lattice.vectors) > 0, "a1, a2 turn anticlockwise"
+        steep = np.abs(cell.lattice.vectors[:, 1]) / np.linalg.norm(cell.lattice.vectors, axis=1)
+        # the shortest vectors of an oblique lattice may begin with the one that the user gave last
+        first_count, second_count = (columns, rows) if steep[0] <= steep[1] else (rows, columns)
         i, j = np.meshgrid(
-            np.arange(columns + 1) - columns / 2, np.arange(rows + 1) - rows / 2, indexing="ij"
+            np.arange(first_count + 1) - first_count / 2,
+            np.arange(second_count + 1) - second_count / 2,
+            indexing="ij",
         )
         corners = np.asarray(np.stack([i, j], axis=-1) @ cell.lattice.vectors)  # (columns + 1, rows + 1, 2)
         # full lines, because two cells share their border
