@@ -310,7 +310,22 @@ def test_both_edges_of_a_gap_are_compared(moved):
     shift = np.array([moved[0], moved[0], moved[1], moved[1]])
     text = Comparison(first, replace(first, frequency=first.frequency + shift)).summary()[1]
     words = [f"{abs(by) / 1e3:.3g} kHz {'higher' if by > 0 else 'lower'}" for by in moved]
-    assert text == f"The gap between bands 2-3 begins {words[0]} and ends {words[1]}."
+    assert (
+        text
+        == f"The gap between bands 2-3, at the wavevectors of first, begins {words[0]} and ends {words[1]}."
+    )
+
+
+def test_a_gap_is_compared_only_where_a_table_has_its_bands():
+    first = replace(of_dataset("first", ours()), ours=False)
+    theirs = np.array(1.001 * first.frequency)
+    theirs[np.nanargmax(theirs[:, 1]), 1] = theirs[np.nanargmin(theirs[:, 2]), 2] = np.nan
+    text = Comparison(first, replace(first, name="other", frequency=theirs)).summary()[1]
+    shifts = [1e-6 * float(end) for end in (np.nanmax(theirs[:, 1]), np.nanmin(theirs[:, 2]))]
+    first_words, last_words = (f"{shift:.3g} kHz higher" for shift in shifts)
+    assert text == (
+        f"The gap between bands 2-3, at the wavevectors of other, begins {first_words} and ends {last_words}."
+    )
 
 
 def test_a_missing_band_is_reported(tmp_path):

@@ -331,9 +331,7 @@ def _mode(
     raise _no_mode(nodal_lines, f"{_kilohertz(between[0])} to {_kilohertz(between[1])}")
 
 
-def _with_one_wave(
-    guide_at: Callable[[float], Guide], between: tuple[float, float]
-) -> tuple[float, float]:
+def _with_one_wave(guide_at: Callable[[float], Guide], between: tuple[float, float]) -> tuple[float, float]:
     """The lower part of an interval of angular frequencies, in which one wave propagates across the strip.
 
     In-plane and diffracted waves propagate above a frequency of their own.

@@ -32,6 +32,7 @@ RATIOS = {
 SAME_EDGE = 1e-6  # relative difference of the edges of a gap below which they are the same
 SAME_PLACE = 1e-6  # distance of two wavevectors, as a share of a segment of the path
 OTHER_BAND = 0.1  # relative difference; bands of the same number that differ more are hardly the same
+Edges = tuple[float, float]
 
 
 @dataclass(frozen=True, eq=False)
@@ -74,8 +75,10 @@ class BandSet:
         columns = [np.interp(position, self.position, f, np.nan, np.nan) for f in self.frequency.T]
         return np.stack(columns, axis=1)
 
-    def on_path(self) -> dict[tuple[int, int], tuple[float, float]]:
-        """(lower, upper) edges of the gaps along the path, Hz, by their bands."""
+    def gap_edges(self) -> dict[tuple[int, int], Edges]:
+        """(lower, upper) edges (Hz) of the complete gaps, or of those on a table's path, by their bands."""
+        if self.ours:
+            return {gap.between: gap.edges for gap in self.gaps}
         lower, upper = np.nanmax(self.frequency, axis=0), np.nanmin(self.frequency, axis=0)
         return {
             (k + 1, k + 2): (float(lower[k]), float(upper[k + 1]))
@@ -193,18 +196,19 @@ class Comparison(Result):
             f"square), at most {in_percent(relative[place], form='.3g')} (band {place[1] + 1}, "
             f"{self._place(float(b.position[place[0]]))})."
         ]
-        moved = [row for row in self._gap_rows() if None not in row[1:5]]
-        if moved:
-            bands, low, high, *new = max(moved, key=lambda row: float(row[2]) - float(row[1]))  # type: ignore[arg-type]
-            shifts = [float(to) - float(was) for was, to in zip((low, high), new, strict=True)]  # type: ignore[arg-type]
-            if max(map(abs, shifts)) < SAME_EDGE * float(low):  # type: ignore[arg-type]
-                sentences.append(f"The gap between bands {bands} is the same.")
+        if (gap := self._widest_common_gap()) is not None:
+            bands, edges, others = gap
+            shifts = [other - edge for edge, other in zip(edges, others, strict=True)]
+            name = f"The gap between bands {bands[0]}-{bands[1]}"
+            where = "" if b.ours else f", at the wavevectors of {b.name},"
+            if max(map(abs, shifts)) < SAME_EDGE * edges[0]:
+                sentences.append(f"{name}{where} is the same.")
             else:
                 first, last = (
                     f"{hz_text(abs(shift), form='.3g')} {'higher' if shift > 0 else 'lower'}"
                     for shift in shifts
                 )
-                sentences.append(f"The gap between bands {bands} begins {first} and ends {last}.")
+                sentences.append(f"{name}{where} begins {first} and ends {last}.")
         if (losses := self._losses()) is not None:
             sentences.append(losses)
         changed = list(self._changed())
@@ -231,7 +235,7 @@ class Comparison(Result):
     def tables(self) -> list[Table]:
         a, b = self.first, self.second
         gaps = Table(
-            "gaps" if b.ours else f"gaps; those of {b.name} along its path only",
+            "gaps" if b.ours else f"gaps; those of {b.name} at its wavevectors only",
             (
                 "bands",
                 *(
@@ -260,12 +264,37 @@ class Comparison(Result):
             where = self._place(float(self.second.position[k]))
             yield str(band), float(np.sqrt(np.nanmean(apart**2))), float(apart[k]), part, where
 
+    def _widest_common_gap(self) -> tuple[tuple[int, int], Edges, Edges] | None:
+        """Bands of the first's widest gap that the second has too, and its edges in both, Hz.
+
+        A table has no gaps of the whole zone. Both are then compared where the table has the two bands.
+        """
+        ours, theirs = self.first.gap_edges(), self.second.gap_edges()
+        for bands in sorted(ours, key=lambda bands: ours[bands][0] - ours[bands][1]):
+            both = (ours[bands], theirs[bands]) if bands in theirs else None
+            both = both if self.second.ours else self._edges_at_table(bands)
+            if both is not None:
+                return bands, *both
+        return None
+
+    def _edges_at_table(self, bands: tuple[int, int]) -> tuple[Edges, Edges] | None:
+        """Edges of both between two bands where the table has them, Hz; None without a gap."""
+        columns = [band - 1 for band in bands]
+        if max(columns) >= self.difference.shape[1]:
+            return None
+        ours, theirs = self.first.at(self.second.position)[:, columns], self.second.frequency[:, columns]
+        common = np.isfinite(ours) & np.isfinite(theirs)
+        if not common.any(axis=0).all():
+            return None
+        edges = [
+            (float(side[common[:, 0], 0].max()), float(side[common[:, 1], 1].min()))
+            for side in (ours, theirs)
+        ]
+        return (edges[0], edges[1]) if all(lower < upper for lower, upper in edges) else None
+
     def _gap_rows(self) -> list[tuple[Cell, Cell, Cell, Cell, Cell]]:
         """Bands and edges (Hz) of each gap; None for an edge that one of the two lacks."""
-        first, second = (
-            {gap.between: gap.edges for gap in side.gaps} if side.ours else side.on_path()
-            for side in (self.first, self.second)
-        )
+        first, second = self.first.gap_edges(), self.second.gap_edges()
         none: tuple[None, None] = (None, None)
         return [
             (f"{pair[0]}-{pair[1]}", *first.get(pair, none), *second.get(pair, none))

@@ -103,9 +103,10 @@ class Layers(Result):
             for family in self.families
         ]
         at = f"{hz_text(self.carrier, form='g')} {self.incidence}"
+        other = "for comparison, " if attributes["angle"] else ""  # the decay has one angle only
         return [
             f"Insertion loss of {counted(rows, 'row')} at {at}: {', '.join(losses)}.",
-            "In the lattice, the slowest-decaying wave at normal incidence decays by "
+            f"In the lattice, {other}the slowest-decaying wave at normal incidence decays by "
             f"{decay} dB per row at the carrier.",
         ]
 
