@@ -274,6 +274,33 @@ def test_a_rare_decimal_comma_among_whole_numbers_is_one(tmp_path_factory, separ
     assert np.delete(column, at) == pytest.approx(1e6)
 
 
+@each(
+    ("text", "number"),
+    [
+        ("9.838,85", 9838.85),
+        ("-1.234.567,8", -1234567.8),
+        ("1.234,5+2.345,6i", 1234.5 + 2345.6j),
+        ("9.838", None),
+        ("0.838,5", None),
+        ("12.34,5", None),
+        ("1.2345,6", None),
+        ("1.234,567,8", None),
+    ],
+)
+def test_points_between_three_digits_before_a_decimal_comma_separate_thousands(text, number):
+    assert number_of(text, ",") == number
+
+
+@pytest.mark.parametrize("separator", ["\t", ";", "|"])
+def test_thousands_points_beside_decimal_commas_are_read_and_those_alone_refused(tmp_path, separator):
+    lines = ["k;f", "0,000;0,04", "0,000;9.838,85", "0,010;12.839,00"]
+    path = tmp_path / "a.csv"
+    path.write_text("\n".join(lines).replace(";", separator))
+    assert opened(path).group("")["f"][:].tolist() == [0.04, 9838.85, 12839.0]
+    path.write_text("\n".join([*lines, "0,010;41.771"]).replace(";", separator))
+    refused(lambda: opened(path).group("")["f"][:], "line 5: '41.771'", code="malformed", kind=ChannelError)
+
+
 def test_a_rare_comma_that_may_be_of_thousands_is_refused(tmp_path):
     rows = ["1000000;-20"] * 400
     rows[201] = "1,000;-20"

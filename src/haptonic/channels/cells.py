@@ -32,6 +32,8 @@ _SPACED = re.compile(
 _SPACED_PAIR = re.compile(
     rf"\(\s*(?P<real>[+-]?{_PART})\s*[,;]\s*(?P<imaginary>[+-]?{_PART})\s*\)", re.IGNORECASE
 )
+# points between groups of three digits, before a decimal comma; 9.838 alone may be a number of either kind
+_GROUPED = re.compile(r"(?<![\d.,])[1-9]\d{0,2}(?:\.\d{3})+(?=,\d)")
 LONGEST = 80  # characters of a number
 
 
@@ -43,7 +45,7 @@ def is_missing(cell: str) -> bool:
 def number_of(cell: str, decimal: str = ".") -> complex | None:
     """Number in a cell: a float, or a complex number for a cell with an imaginary part; else None.
 
-    A missing number is NaN.
+    A missing number is NaN. In numbers with decimal commas, points may separate thousands: 9.838,85.
     """
     if decimal == ".":
         try:
@@ -59,6 +61,7 @@ def number_of(cell: str, decimal: str = ".") -> complex | None:
         return None
     text = _INFINITE.get(text, text)
     if decimal == ",":
+        text = _GROUPED.sub(lambda digits: digits[0].replace(".", ""), text)
         if "." in text or text.endswith(","):
             return None
         text = text.replace(",", ".")
