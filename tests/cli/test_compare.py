@@ -328,6 +328,17 @@ def test_a_gap_is_compared_only_where_a_table_has_its_bands():
     )
 
 
+@pytest.mark.parametrize(
+    ("position", "where"),
+    [(0.000001, "Γ"), (0.999999, "X"), (1.000002, "X"), (1.996, "M"), (1.99, "0.99 of X-M"), (3.0, "Γ")],
+)
+def test_a_position_beside_a_corner_has_its_name_if_two_digits_do_not_differ(position, where):
+    first = of_dataset("first", ours())
+    second = replace(first, position=np.array([position]), frequency=first.at(np.array([position])) + 50.0)
+    bands = Comparison(first, second).tables()[1]
+    assert [row[-1] for row in bands.rows] == [where] * BANDS
+
+
 def test_a_missing_band_is_reported(tmp_path):
     path = tmp_path / "theirs.csv"
     rows = [

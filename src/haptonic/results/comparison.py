@@ -308,10 +308,9 @@ class Comparison(Result):
     def _place(self, position: float) -> str:
         """Name of a position on the path, such as ``0.30 of X-M``."""
         k = min(int(position), len(self.first.labels) - 2)
-        labels, share = self.first.labels, position - k
-        if share < 1e-9:
-            return labels[k]
-        return labels[k + 1] if share > 1 - 1e-9 else f"{share:.2f} of {labels[k]}-{labels[k + 1]}"
+        start, stop = self.first.labels[k : k + 2]
+        share = f"{position - k:.2f}"
+        return {"0.00": start, "1.00": stop}.get(share, f"{share} of {start}-{stop}")
 
     def remarks(self) -> list[str]:
         remarks = []
