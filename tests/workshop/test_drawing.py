@@ -399,13 +399,28 @@ def test_a_piece_of_other_cells_has_a_plan_with_every_pillar_and_lists_of_their_
     assert nearest(part_of("honeycomb").standing[0][1], 0)[1] == pytest.approx(7)
     for text in (
         "12 round, ⌀2.000 ±0.020", "12 round, ⌀1.800 ±0.020, height 5.000 ±0.020",
-        "fillet 0.300 ±0.020", "next along x 7.000 ±0.020, next along y 12.1244",
+        "fillet 0.300 ±0.020", "next along x 7.000 ±0.020, next along y 12.12",
         "24 pillars", "Section along x   5 : 1",
     ):  # fmt: skip
         assert any(text in word for word in texts), text
     way = 7 / 3**0.5 - 1.9  # between axes of neighbours, less half the sum of their diameters
     assert any(f"side to side, {way:.3f}: tool radius at most {way / 2:.3f}" in word for word in texts)
     assert any("repeat after (7, 0) and (3.5, 6.062)" in word for word in texts)
+
+
+@pytest.mark.parametrize(
+    ("lattice", "count", "size"),
+    [
+        (Lattice.triangular(10 * MM), (3, 2), "30 × 20 × 1.5, angle 60°"),
+        (Lattice.oblique(7 * MM, 7.5 * MM, math.radians(100)), (2, 2), "14 × 15 × 1.5, angle 80°"),
+        (Lattice.rectangular(6.125 * MM, math.sqrt(75) * MM), (5, 2), "30.625 × 17.32 × 1.5"),
+    ],
+)
+def test_the_title_block_has_sides_and_angle_of_a_piece_and_no_digits_beyond_iso_2768(lattice, count, size):
+    part = Part.piece(UnitCell(lattice, 1.5 * MM, METAL, Pillar(3 * MM, 4 * MM)), *count)
+    shown = words(part_drawing(part, "Plate"))
+    assert size in shown
+    assert not any(re.search(r"\d\.\d{4}", word) for word in shown)
 
 
 def test_a_tolerance_is_that_of_the_table_which_gives_the_pillar():

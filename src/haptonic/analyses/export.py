@@ -155,7 +155,10 @@ class Workshop(Result):
         aside = "; regions, patches and supports are marked but are not part of the solid"
         if self.part.count is not None:
             name, aside = "a piece of lattice, {} x {} cells".format(*self.part.count), ""
-        sizes = " x ".join(format_quantity(side / MM, "m") for side in self.part.size)
+        *lengths, angle = self.part.sides
+        sizes = " x ".join(format_quantity(side / MM, "m") for side in lengths)
+        if angle is not None:
+            sizes += f" at {format_quantity(angle, 'rad')}"
         return [f"part: {name}, {sizes}, with {self.part.parts}{aside}"]
 
     def remarks(self) -> list[str]:

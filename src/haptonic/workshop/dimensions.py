@@ -16,6 +16,7 @@ DECIMALS = 3  # of toleranced lengths in mm
 DECIMALS_OF_ANGLES = 2  # of toleranced angles in degrees
 ROUNDING = 1e-9  # mm or degrees
 FINEST = 4  # decimals of a length without a tolerance, trailing zeros left out; more for short ones
+DERIVED = 2  # decimals of a length that follows from others, such as 17.3205...: ISO 2768 has none finer
 
 
 def checked_tolerances(cell: UnitCell, tolerances: Mapping[str, float]) -> Mapping[str, float]:
@@ -84,8 +85,9 @@ def text_of(dimension: Dimension, half_width: float | None, sign: str = "") -> s
     return form.replace("<>", value) + f"±{style['dimtp']:.{style['dimtdec']}f}"
 
 
-def decimals(value: float, least: int) -> int:
-    """Number of decimals that shows four digits of a number; ``least`` for a larger one, or for zero."""
+def decimals(value: float, finest: int) -> int:
+    """Number of decimals of a length (mm): ``finest`` if it has no more, else `DERIVED`, and four digits."""
+    least = finest if abs(value - round(value, finest)) < ROUNDING else DERIVED
     return max(least, 3 - math.floor(math.log10(abs(value)))) if abs(value) > ROUNDING else least
 
 

@@ -80,7 +80,7 @@ def part_drawing(
         _title_block(sheet, title, {
             "MATERIAL" if len(part.materials) == 1 else "PLATE MATERIAL": part.cell.material.name,
             "MASS": f"{1e3 * part.mass:.3g} g",
-            "PLATE": TIMES.join(number(side / MM) for side in (*part.size, part.cell.thickness)),
+            "PLATE": _size(part),
             "PILLARS AND DISCS": part.parts,
             "GENERAL TOLERANCES": "none" if all(short) else GENERAL,
             "UNITS": "dimensions in mm",
@@ -101,6 +101,13 @@ def part_drawing(
         if lines := _kinds(part, tolerances):
             sheet.notes(LISTS[:2], "PILLARS, DISCS AND PATCHES", lines, LISTS[2])
     return sheet
+
+
+def _size(part: Part) -> str:
+    """Sides and thickness of the plate, and the angle of an oblique piece."""
+    width, depth, angle = part.sides
+    text = TIMES.join(number(side / MM) for side in (width, depth, part.cell.thickness))
+    return text if angle is None else f"{text}, angle {degrees(angle)}"
 
 
 def _kinds(part: Part, tolerances: Mapping[str, float]) -> dict[str, str]:

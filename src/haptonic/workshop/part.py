@@ -161,6 +161,19 @@ class Part:
         return float(high[0] - low[0]), float(high[1] - low[1])
 
     @property
+    def sides(self) -> tuple[float, float, float | None]:
+        """Lengths of two sides of a piece, and their smaller angle (rad), None for a right one.
+
+        A whole plate has the sides of its bounding rectangle.
+        """
+        if self.count is None:
+            return *self.size, None
+        first, second = np.diff(self.outline[0][:3], axis=0)
+        lengths = float(np.linalg.norm(first)), float(np.linalg.norm(second))
+        angle = float(np.arccos(abs(first @ second) / np.prod(lengths)))
+        return *lengths, None if np.isclose(angle, 0.5 * np.pi) else angle
+
+    @property
     def pillars(self) -> tuple[tuple[Pillar, Array], ...]:
         """Kinds of pillars, with their positions."""
         return tuple((kind, places) for kind, places in self.standing if isinstance(kind, Pillar))
