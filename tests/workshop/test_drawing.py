@@ -411,16 +411,33 @@ def test_a_piece_of_other_cells_has_a_plan_with_every_pillar_and_lists_of_their_
 @pytest.mark.parametrize(
     ("lattice", "count", "size"),
     [
-        (Lattice.triangular(10 * MM), (3, 2), "30 × 20 × 1.5, angle 60°"),
-        (Lattice.oblique(7 * MM, 7.5 * MM, math.radians(100)), (2, 2), "14 × 15 × 1.5, angle 80°"),
-        (Lattice.rectangular(6.125 * MM, math.sqrt(75) * MM), (5, 2), "30.625 × 17.32 × 1.5"),
+        (Lattice.triangular(10 * MM), (3, 2), "30 x 20 x 1.5, angle 60°"),
+        (Lattice.oblique(7 * MM, 7.5 * MM, math.radians(100)), (2, 2), "14 x 15 x 1.5, angle 80°"),
+        (Lattice.rectangular(6.125 * MM, math.sqrt(75) * MM), (5, 2), "30.625 x 17.32 x 1.5"),
     ],
 )
 def test_the_title_block_has_sides_and_angle_of_a_piece_and_no_digits_beyond_iso_2768(lattice, count, size):
     part = Part.piece(UnitCell(lattice, 1.5 * MM, METAL, Pillar(3 * MM, 4 * MM)), *count)
     shown = words(part_drawing(part, "Plate"))
-    assert size in shown
+    assert size.replace("x", "\N{MULTIPLICATION SIGN}") in shown
     assert not any(re.search(r"\d\.\d{4}", word) for word in shown)
+
+
+def test_notes_name_the_kinds_that_the_section_does_not_show_and_its_hatches_only_if_it_has_several():
+    """A kagome lattice has its first sites on rows of their own, the others on the rows between."""
+    glued, hole, steel = (Site(disc=STACKS[name]) for name in ("pillar on glue", "hole", "inclusion"))
+    kagome = Lattice(lattice="kagome", pitch=20 * MM)
+    hatches = "Each hatch of the section is a material; the list names them."
+    for sites, hatched, hidden in (
+        ((hole, glued, steel), False, "B and C"),
+        ((glued, steel, hole), True, "B and C"),
+        ((glued, hole, glued), True, ""),
+        ((glued, glued, glued), True, ""),
+    ):
+        shown = words(part_drawing(Part.piece(UnitCell(kagome, 1.5 * MM, METAL, site=sites), 3, 2), "Plate"))
+        assert any(hatches in word for word in shown) is hatched
+        notes = [word.split("show ")[1] for word in shown if "The section does not show" in word]
+        assert notes == [f"{hidden}: the list gives their heights."] * bool(hidden)
 
 
 def test_a_tolerance_is_that_of_the_table_which_gives_the_pillar():

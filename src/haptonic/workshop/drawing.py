@@ -10,7 +10,7 @@ from __future__ import annotations
 import datetime
 import io
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Set
 from pathlib import Path
 
 import matplotlib as mpl
@@ -21,15 +21,15 @@ from haptonic.atomic import refuse_overwrite, write_atomically
 from haptonic.cell import Disc, Pillar
 from haptonic.cell.outlines import Scaled
 from haptonic.cell.sectioned import LENGTHS
-from haptonic.cell.stack import Stack
+from haptonic.cell.stack import Feature, Stack
 from haptonic.materials import OrthotropicMaterial
-from haptonic.names import counted
+from haptonic.names import counted, listed
 from haptonic.plots.style import DOTS_PER_INCH, styled
 from haptonic.workshop.dimensions import checked_tolerances, degrees, disc_text, disc_width, number, text_of
 from haptonic.workshop.dxf import outlines, reproducible
 from haptonic.workshop.part import Part
 from haptonic.workshop.plan import draw_plan, letter
-from haptonic.workshop.section import draw_section, nearest, pitch_of
+from haptonic.workshop.section import Row, draw_section, nearest, pitch_of
 from haptonic.workshop.shape import MM, PillarShape, dimensions, heights
 from haptonic.workshop.sheet import SIZE, SMALL, Box, Sheet, shortened, text_width
 
@@ -248,8 +248,10 @@ def _advice(part: Part) -> list[str]:
         if isinstance(solid, OrthotropicMaterial):
             at = f"at {degrees(solid.turn)} to x, anticlockwise" if solid.turn else "along x"
             notes.append(f"Axis 1 of {solid.name} lies {at}, its axis 3 along the normal.")
-    if len(part.materials) > 1:
+    row = Row.of(part)
+    if len(row.solids(part)) > 1:
         notes.append("Each hatch of the section is a material; the list names them.")
+    notes += _not_shown(part, {feature for feature, _ in row.features})
     bodies = [PillarShape.of(pillar) for pillar, _ in part.pillars]
     room = _room(part, bodies)
     if room is not None:
@@ -283,6 +285,19 @@ def _advice(part: Part) -> list[str]:
         notes.append(
             "Thick lines beside the edge show where the plate is supported in use (HELD in the DXF)."
         )
+    return notes
+
+
+def _not_shown(part: Part, shown: Set[Feature]) -> list[str]:
+    """Notes on kinds of pillars and stacks that the section does not show, and where their heights are."""
+    hidden = [kind for kind, (feature, _) in enumerate(part.standing) if feature not in shown]
+    notes = []
+    for place, kinds in (
+        ("the list gives their heights", [kind for kind in hidden if kind < MOST_LINES]),
+        ("the STEP file has their heights", [kind for kind in hidden if kind >= MOST_LINES]),
+    ):
+        if kinds:
+            notes.append(f"The section does not show {listed([letter(kind) for kind in kinds])}: {place}.")
     return notes
 
 

@@ -73,6 +73,17 @@ class Row:
         features = tuple(sorted(inside, key=lambda each: each[1]))
         return cls(y=y, low=float(low), high=float(high), axes=axes, features=features)
 
+    def solids(self, part: Part) -> set[Material]:
+        """Materials of the plate and of all features on the cut."""
+        solids = {part.cell.material}
+        for feature, _ in self.features:
+            if isinstance(feature, Stack):
+                rings = Rings.of(feature, part.cell.material)
+                solids |= {solid for solid in rings.materials if rings.rings(solid)}
+            else:
+                solids.add(part.solid_of(feature))
+        return solids
+
 
 def nearest(places: Array, along: int) -> tuple[Array, float | None]:
     """Position with the nearest next one on its line along x or y, and their distance; None without two."""
