@@ -381,6 +381,16 @@ class TestExport:
         assert here("export", study(), "--stl", "--overwrite", "--columns", 2).code == 0
         assert (folder / "quick.stl").stat().st_size > 1.5 * single
 
+    def test_an_oblique_piece_is_described_by_its_sides_and_angle(self, inside, tmp_path):
+        path = tmp_path / "oblique.toml"
+        path.write_text(
+            'material = "steel"\n[cell]\npitch = "7 mm"\nlattice = "triangular"\nthickness = "1 mm"\n'
+            '[cell.pillar]\ndiameter = "3 mm"\nheight = "4 mm"\n'
+        )
+        ran = inside("export", path, "--dxf", "--out", tmp_path / "out", "--columns", 3, "--rows", 2)
+        assert ran.code == 0, ran.err
+        assert "3 x 2 cells, 21 mm x 14 mm at 60 deg, with 6 pillars" in " ".join(ran.out.split())
+
     @pytest.mark.parametrize("machine", daily([[], ["--json"]], ["--json"]), ids=["person", "machine"])
     @pytest.mark.usefixtures("without_netgen")
     def test_without_the_extra_the_other_files_are_written_and_listed(self, inside, study, tmp_path, machine):
