@@ -87,9 +87,9 @@ class Part:
         features = tuple(f.scaled(MM) if isinstance(f, Pillar) else f for f in cell.features)
         source, cell = cell, _in_mm(cell)
         assert np.linalg.det(cell.lattice.vectors) > 0, "a1, a2 turn anticlockwise"
-        steep = np.abs(cell.lattice.vectors[:, 1]) / np.linalg.norm(cell.lattice.vectors, axis=1)
         # the shortest vectors of an oblique lattice may begin with the one that the user gave last
-        first_count, second_count = (columns, rows) if steep[0] <= steep[1] else (rows, columns)
+        first_along_x = _steepness(cell.lattice.vectors[0]) <= _steepness(cell.lattice.vectors[1])
+        first_count, second_count = (columns, rows) if first_along_x else (rows, columns)
         i, j = np.meshgrid(
             np.arange(first_count + 1) - first_count / 2,
             np.arange(second_count + 1) - second_count / 2,
@@ -168,7 +168,8 @@ class Part:
         """
         if self.count is None:
             return *self.size, None
-        first, second = np.diff(self.outline[0][:3], axis=0)
+        # columns first, which lie along the side nearer to x
+        first, second = sorted(np.diff(self.outline[0][:3], axis=0), key=_steepness)
         lengths = float(np.linalg.norm(first)), float(np.linalg.norm(second))
         angle = float(np.arccos(abs(first @ second) / np.prod(lengths)))
         return *lengths, None if np.isclose(angle, 0.5 * np.pi) else angle
@@ -259,6 +260,11 @@ def _in_mm(cell: UnitCell) -> UnitCell:
     """A cell in mm without its discs, whose heights above the plate have limits in m."""
     sites = tuple(replace(site, disc=()) for site in cell.site)
     return replace(cell, disc=(), site=sites).scaled(MM)
+
+
+def _steepness(side: Array) -> float:
+    """Sine of the angle between a side (2,) and x."""
+    return float(abs(side[1]) / np.linalg.norm(side))
 
 
 def _check_number(pillars: int) -> None:
