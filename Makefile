@@ -20,9 +20,12 @@ test: $(VENV)/ready-test
 web: web/node_modules/ready
 	cd web && npm run --silent check && npm run --silent build
 
-# The gallery's cells run as in the documentation, with what it needs.
+# The gallery's cells run as in the documentation, with what it needs. A run that was stopped goes on where it
+# ended, unless another commit is checked out or a file is changed.
+NIGHT = .nightly-$(shell git rev-parse --short HEAD)
 nightly: $(VENV)/ready-test $(VENV)/ready-docs
-	OMP_NUM_THREADS=$(CORES) $(BIN)/pytest -m "nightly or hypothesis" --hypothesis-profile=anew
+	git diff --quiet HEAD || rm -f $(NIGHT)
+	OMP_NUM_THREADS=$(CORES) $(BIN)/pytest -m "nightly or hypothesis" --hypothesis-profile=anew --continued $(NIGHT)
 
 # A selection of the tests with the oldest packages that pyproject.toml allows; the pages of the reference are written
 # with the newest, so their test is left out.

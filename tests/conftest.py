@@ -8,6 +8,8 @@ from pathlib import Path
 import pytest
 from hypothesis import settings
 
+from continued import pytest_addoption as pytest_addoption, pytest_configure as pytest_configure
+
 # Machines differ, and the first example of a physics test pays for what is cached afterwards, so no deadline.
 # Every run of `make test` draws the same examples, so that its answer belongs to the commit;
 # `make nightly` draws anew, and more.
