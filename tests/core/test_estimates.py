@@ -306,8 +306,9 @@ def test_estimates_hold_for_cheap_designs(number):
     assert_the_truth_is_within(drawn(2, number))
 
 
+# the references of number 4 would have 640,000 unknowns; number 28 has a step too
 @pytest.mark.nightly
-@pytest.mark.parametrize("number", range(16))
+@pytest.mark.parametrize("number", [*range(4), *range(5, 16), 28])
 def test_estimates_hold_for_drawn_designs(number):
     """What is refused is asked for again as the refusal allows, and answered then."""
     question = drawn(11, number)

@@ -60,9 +60,10 @@ def test_drawn_folders(tmp_path, draw):
 
 @pytest.mark.parametrize(
     "number",
-    [32, 1345, 1586, 1723, 3301, 3405],
+    [32, 884, 1345, 1586, 1723, 3301, 3405],
     ids=[
         "coarse steps at rest",
+        "coarse steps in the end",
         "rare clear comma",
         "few steps",
         "few steps, others more",

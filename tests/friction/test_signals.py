@@ -195,7 +195,7 @@ def test_a_finger_from_the_first_sample_is_seen_beside_an_offset(offset):
     """The sensor does not return to zero, but it is quiet when the finger has gone."""
     signals = stroke(noise=2e-3, bias=(offset, 0.1))
     pressed = signals["normal"] - offset
-    signals["normal"] += 0.03 * pressed * np.sin(np.arange(1500) / 50)
+    signals["normal"] += 0.05 * pressed * np.sin(np.arange(1500) / 50)
     signals = {name: array[360:] if name != "rate" else array for name, array in signals.items()}
     for sign in (1, -1):
         signals["normal"] *= sign

@@ -39,8 +39,8 @@ TOGETHER = 64  # strokes; their channels fit into the processor's cache
 LITTLE = 0.2
 QUIETER = 0.25  # of the scatter of the normal force at the start: an end with less is without a finger
 # Scatter of a finger's force within the bias window, of the force of the stroke. Noise, drift and steps of
-# converters in drawn folders had up to 0.0053 where the end was also quieter.
-UNSTEADY = 0.006
+# converters in 2000 drawn folders had up to 0.0071 where the end was also quieter.
+UNSTEADY = 0.01
 
 
 @dataclass(frozen=True, eq=False)
