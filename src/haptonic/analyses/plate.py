@@ -64,14 +64,13 @@ def check(study: Description, options: PlateOptions) -> None:
     ------
     HaptonicError : one of these
     """
-    at, carriers = options.at, study.carriers
-    plate = driven_at(study, at)
+    at, plate = options.at, study.mounted_plate()
     if at is None:
         need_carrier(study)
-    for driven in (study.mounted_plate(each) for each in carriers) if at is None else (plate,):
-        check_driven(driven)
+    for frequency in study.carriers if at is None else (at,):
+        check_driven(driven_at(study, frequency))
     settings = options.settings or response_settings(study)
-    highest = max(settings.highest, *carriers) if at is None else at
+    highest = max(settings.highest, *study.carriers) if at is None else at
     check_waves(study, plate, highest)
 
 

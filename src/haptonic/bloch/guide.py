@@ -320,8 +320,11 @@ def _mode(
         wall = guide_at(omega).wall(omega)
         return (wall.phase(width, nodal_lines) if wall else 0.0) - (nodal_lines + 1) * np.pi
 
-    between = _with_one_wave(guide_at, between)
-    omega = _root(misfit, *between)
+    try:
+        omega = _root(misfit, *between)
+    except StudyError:  # other waves propagate at the upper end
+        between = _with_one_wave(guide_at, between)
+        omega = _root(misfit, *between)
     if omega is not None:
         guide = guide_at(omega)
         wall = guide.wall(omega)

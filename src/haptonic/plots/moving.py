@@ -41,11 +41,7 @@ def moving(figure: Figure, turned: Callable[[complex], object], frames: int = FR
         canvas.draw()  # type: ignore[no-untyped-call]
         pixels = np.asarray(canvas.buffer_rgba())  # type: ignore[no-untyped-call]
         pictures.append(Image.fromarray(pixels).convert("RGB"))
-    height = pictures[0].height
-    sample = Image.new("RGB", (pictures[0].width, height * len(pictures[::PALETTE])))
-    for i, picture in enumerate(pictures[::PALETTE]):
-        sample.paste(picture, (0, i * height))
-    palette = sample.quantize(256)
+    palette = Image.fromarray(np.vstack([np.asarray(each) for each in pictures[::PALETTE]])).quantize(256)
     pictures = [picture.quantize(palette=palette, dither=Image.Dither.NONE) for picture in pictures]
     stream = io.BytesIO()
     milliseconds = round(1e3 * FRAME_SECONDS * FRAMES / frames)

@@ -12,7 +12,6 @@ from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection, PatchCollection
 from matplotlib.figure import Figure
-from matplotlib.font_manager import FontProperties
 from matplotlib.lines import Line2D
 from matplotlib.patches import Circle, Patch, Polygon, Rectangle
 from matplotlib.patheffects import withStroke
@@ -87,10 +86,9 @@ def _half_size(axes: Axes, text: str) -> Array:
     """Half the width and height of a text in axes with their limits, estimated, m."""
     axes.apply_aspect()
     (start, _), (end, _) = axes.transData.transform([(0.0, 0.0), (1.0, 1.0)]).tolist()
-    size = FontProperties(size=mpl.rcParams["font.size"]).get_size_in_points()
     figure = axes.get_figure(root=True)
     assert figure is not None, "axes that belong to no figure"
-    height: float = TALLER * size * 1e-3 * figure.dpi / 72 / (end - start)
+    height: float = TALLER * mpl.rcParams["font.size"] * 1e-3 * figure.dpi / 72 / (end - start)
     return 0.5 * height * np.array([LETTER * len(text), 1.0])
 
 

@@ -269,11 +269,12 @@ class Comparison(Result):
 
         A table has no gaps of the whole zone. Both are then compared where the table has the two bands.
         """
-        ours, theirs = self.first.gap_edges(), self.second.gap_edges()
+        ours = self.first.gap_edges()
+        theirs = self.second.gap_edges() if self.second.ours else {}
         for bands in sorted(ours, key=lambda bands: ours[bands][0] - ours[bands][1]):
-            both = (ours[bands], theirs[bands]) if bands in theirs else None
-            both = both if self.second.ours else self._edges_at_table(bands)
-            if both is not None:
+            if bands in theirs:
+                return bands, ours[bands], theirs[bands]
+            if not self.second.ours and (both := self._edges_at_table(bands)) is not None:
                 return bands, *both
         return None
 
