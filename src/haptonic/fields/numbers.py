@@ -62,7 +62,7 @@ def unknown_number(
         usual = "numbers in brackets count from 1, and this one does not exist"
     cause = absent.get(str(name), usual)
     slip, next_step = str(name) not in absent and "[0]" not in str(name), "choose a name of the list"
-    if numbered in known:
+    if numbered is not None and numbered in known:
         slip, next_step = False, f'write "{numbered}"'
     listed = [path.replace("[]", "[1]") for path in known]
     return StudyError.unknown(at or "name of a number", name, listed, cause, slip=slip, next_step=next_step)
