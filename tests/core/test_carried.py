@@ -30,7 +30,7 @@ def test_long_waves_belong_to_the_plate(diameter, height, thickness, angle):
     direction = np.array([np.cos(angle), np.sin(angle)])
     for length, kinds in ((0.15, {0: FLEXURAL}), (0.03, {1: IN_PLANE, 2: IN_PLANE})):
         solution = model.solve(length * direction)
-        named = characters(model.fine.tiling, solution.fields).name
+        named = characters(model.fine.tiling, solution.fields, solution.values).name
         for number, kind in kinds.items():
             if solution.frequency[number] < 0.3 * at_rest:  # others meet the pillar's own motion
                 assert named[number] == kind
@@ -45,7 +45,7 @@ def test_pillars_that_rise_with_the_plate_are_not_stretched(height, thickness, l
     cell = replace(cell, thickness=thickness * PITCH, pillar=pillar)
     model = BlochModel.of(cell, Resolution(2, 0), 6)
     solution = model.solve(np.array([length, 0.0]))
-    assert characters(model.fine.tiling, solution.fields).name[0] != LONGITUDINAL
+    assert characters(model.fine.tiling, solution.fields, solution.values).name[0] != LONGITUDINAL
 
 
 def test_a_tube_that_becomes_oval_is_named_after_the_deformation_of_its_sections():
@@ -62,7 +62,7 @@ def test_a_tube_that_becomes_oval_is_named_after_the_deformation_of_its_sections
     terms = np.stack([np.exp(1j * turns * angle) for turns in (0, 1, -1, 2, -2, 3, -3)], axis=1)
     amplitudes = np.abs(np.linalg.lstsq(terms, radial.sum(axis=1))[0]) ** 2
     to_one_side, oval = amplitudes[1:3].sum(axis=0), amplitudes[3:5].sum(axis=0)
-    named = characters(model.fine.tiling, solution.fields).name
+    named = characters(model.fine.tiling, solution.fields, solution.values).name
     bends, deforms = named == BENDING, named == DEFORMATION
     assert bends.any()
     assert deforms.any()

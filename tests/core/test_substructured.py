@@ -272,8 +272,8 @@ def test_a_lifted_field_has_the_energy_of_its_unknowns(name, order, apart):
 
 @pytest.mark.parametrize(("name", "order", "apart"), EACH)
 def test_two_steps_lead_to_the_characters_of_one(name, order, apart):
-    (whole, _, here), (parts, _, there) = both(name, order)
-    of_whole, of_parts = characters(whole, here), characters(parts, there)
+    (whole, values, here), (parts, lower, there) = both(name, order)
+    of_whole, of_parts = characters(whole, here, values), characters(parts, there, lower)
     assert (of_whole.name == of_parts.name).all()
     for share in ("vertical", "pillar_strain", "pillar_kinetic"):
         assert getattr(of_parts, share) == pytest.approx(getattr(of_whole, share), abs=2e-3)

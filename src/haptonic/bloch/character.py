@@ -47,8 +47,10 @@ class Character:
     name: NDArray[np.int64]
 
 
-def characters(tiling: Tiling, fields: Complex) -> Character:
-    """Compute the character of modes, given as (t + m, k) unknowns of a tiling.
+def characters(tiling: Tiling, fields: Complex, values: Array) -> Character:
+    """Compute the character of modes, given as (t + m, k) unknowns of a tiling of unit mass.
+
+    values : (k,) eigenvalues, (rad/s)^2, the strain energies of fields of unit mass
 
     A mode whose kinetic energy is mostly in the pillars is named after the rigid motion of their sections
     with the largest energy: bending (numbered by the nodes of the axis of the pillar with the largest
@@ -59,14 +61,12 @@ def characters(tiling: Tiling, fields: Complex) -> Character:
     """
     measures = tiling.measures
     assert measures is not None, "condense with measured=True"
-    kinetic = on_each(tiling.mass, fields)
-    in_pillar = on_each(measures.pillar_mass, fields) / kinetic
-    vertical = on_each(measures.vertical_mass, fields) / kinetic
-    strain = on_each(tiling.stiffness, fields)
-    moving = strain > 1e-7 * strain.max()  # a rigid-body motion has no strain energy
-    pillar_strain = np.divide(
-        on_each(measures.pillar_stiffness, fields), strain, out=np.zeros_like(strain), where=moving
+    in_pillar, vertical, strain_of_pillar = (
+        on_each(form, fields) if form.any() else np.zeros(len(values))
+        for form in (measures.pillar_mass, measures.vertical_mass, measures.pillar_stiffness)
     )
+    moving = values > 1e-7 * values.max()  # a rigid-body motion has no strain energy
+    pillar_strain = np.divide(strain_of_pillar, values, out=np.zeros_like(values), where=moving)
     name = np.where(vertical > 0.5, FLEXURAL, IN_PLANE)
     if measures.sections:
         motions = np.array([pillar.energies(fields) for pillar in measures.sections])
@@ -76,16 +76,16 @@ def characters(tiling: Tiling, fields: Complex) -> Character:
         most = motions.sum(axis=1).argmax(axis=0)
         bending = BENDING + np.minimum(nodes[most, np.arange(len(most))], 3)
         of_pillar = np.choose(kind, [bending, np.full_like(kind, LONGITUDINAL), np.full_like(kind, TORSION)])
-        is_deformed = total.sum(axis=0) < LEAST_RIGID * in_pillar * kinetic
+        is_deformed = total.sum(axis=0) < LEAST_RIGID * in_pillar
         of_pillar = np.where(is_deformed, DEFORMATION, of_pillar)
         rising = sum(pillar.rising(fields) for pillar in measures.sections)
         unstretched = (of_pillar == LONGITUDINAL) & (rising > 0.5 * total[1])
-        carried = _carried(tiling, fields, kinetic, in_pillar, unstretched)
+        carried = _carried(tiling, fields, in_pillar, unstretched)
         name = np.where((in_pillar > PILLAR_LEADS) & ~carried, of_pillar, name)
     return Character(vertical, pillar_strain, in_pillar, np.where(moving, name, RIGID))
 
 
-def _carried(tiling: Tiling, fields: Complex, kinetic: Array, in_pillar: Array, unstretched: Bools) -> Bools:
+def _carried(tiling: Tiling, fields: Complex, in_pillar: Array, unstretched: Bools) -> Bools:
     """(k,) True if the pillars move like the plate below them, with little motion relative to their feet.
 
     unstretched : (k,) True if vertical motion equal to that of the feet dominates; tall pillars also tilt, so
@@ -94,7 +94,7 @@ def _carried(tiling: Tiling, fields: Complex, kinetic: Array, in_pillar: Array, 
     assert tiling.measures is not None
     sections, cell = tiling.measures.sections, tiling.cell
     plate = cell.material.density * cell.lattice.area * cell.thickness
-    of_plate = (1.0 - in_pillar) * kinetic
-    as_fast = in_pillar * kinetic / sum(pillar.mass.sum() for pillar in sections) < CARRIED * of_plate / plate
+    of_plate = 1.0 - in_pillar
+    as_fast = in_pillar / sum(pillar.mass.sum() for pillar in sections) < CARRIED * of_plate / plate
     still = sum(pillar.against_foot(fields) for pillar in sections) < of_plate
     return np.asarray(as_fast & (unstretched | still))

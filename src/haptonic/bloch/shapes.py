@@ -22,7 +22,7 @@ def mode_shapes(model: BlochModel, kappa: Array) -> xr.Dataset:
     for k in range(turned.shape[2]):  # choose the phase with the largest real part
         square = (turned[..., k] ** 2).sum()
         turned[..., k] *= np.exp(-0.5j * np.angle(square))
-    named = characters(tiling, solution.fields)
+    named = characters(tiling, solution.fields, solution.values)
     fields, of_nodes = np.moveaxis(turned, 2, 0).astype(np.complex64), ("mode", "node", "xyz")
     cells = tiling.linear_subcells()
     return titled({

@@ -142,7 +142,7 @@ class ZoneModes:
     def of(cls, model: BlochModel, kappa: Array) -> Self:
         """Solve at phases (n, 2); degenerate modes are combined to definite parity."""
         tiling, images = model.fine.tiling, dict[Operation, JointImage]()
-        velocity, uncertainty, parity, names, middle, fields = [], [], [], [], [], []
+        velocity, uncertainty, parity, names, middle, solved = [], [], [], [], [], []
         for phases in kappa:
             # spare modes, so that the last band does not divide a degenerate pair
             solution = model.solve(phases, spare=SPARE_MODES)
@@ -158,16 +158,17 @@ class ZoneModes:
             parity.append(signs)
             names.append(name)
             middle.append(model.fine.parity(of_bands.modes))
-            fields.append(of_bands.fields)
-        joined = np.hstack(fields)
+            solved.append(of_bands)
+        fields = np.hstack([solution.fields for solution in solved])
+        values = np.concatenate([solution.values for solution in solved])
         return cls(
             velocity=np.stack(velocity),
             velocity_error=np.stack(uncertainty),
             parity=np.stack(parity),
             mirror=tuple(names),
             middle=np.stack(middle),
-            character=characters(tiling, joined).name.reshape(len(names), -1),
-            fields=joined,
+            character=characters(tiling, fields, values).name.reshape(len(names), -1),
+            fields=fields,
         )
 
     def dataset(self) -> xr.Dataset:
