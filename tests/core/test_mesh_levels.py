@@ -351,7 +351,7 @@ def test_an_interior_grows_as_often_as_it_has_to():
 def test_an_interior_grows_before_a_model_is_made():
     """Around a wide hole a small interior omits 2 %; without growth the model would have no error."""
     hole = UnitCell(Lattice.square(10e-3), 4e-3, material("steel"), disc=(Disc(8e-3, empty=True),))
-    unlimited, first = MeshLimits(math.inf, math.inf), Resolution(2, 0).for_bands(hole, 8)
+    unlimited, first = MeshLimits(math.inf, math.inf), Resolution(2, 0, steps=1, block=4)
     few = MeshLimits(math.inf, first.memory(hole))
     (large, lack), (small, limit) = (
         reach_truncation(hole, first, 8, goal=5e-4, limits=limits, spent=0.0, measured=False)

@@ -63,7 +63,7 @@ def constrained_brute_force(cell, plan, kappa, count):
     return frequencies(K, mass, P, count)
 
 
-def exact_modes(solver, mass, inertia, steps, block, highest=1e6):
+def exact_modes(solver, mass, inertia, steps, block, among, highest=1e6):
     """All interior modes below a frequency, Hz: in contrast to a Krylov space the same folded or not."""
     root = np.sqrt(mass)[:, None]
     flexibility = root * solver.solve(np.diag(root[:, 0]))

@@ -13,7 +13,7 @@ from haptonic.cell.quadrature import interpolation, lobatto
 from haptonic.elements import matrices_by_region
 from haptonic.later import linalg as la, sparse as sp
 from haptonic.superelement.assembly import Assembler, assembler_of
-from haptonic.superelement.interior import Bounded
+from haptonic.superelement.bounded import Bounded
 from haptonic.superelement.surplus import NodeRows, highest_rows
 from haptonic.superelement.symmetry import Folding, fold, fold_rim, folds_of
 from haptonic.superelement.trace import FoldedTrace, trace_levels

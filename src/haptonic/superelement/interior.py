@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Protocol
 
 import numpy as np
 
 from haptonic.arrays import Array, Fields, Ints
 from haptonic.later import linalg as la, sparse as sp
+from haptonic.superelement.bounded import Factorised, StaticResponse, orthonormal
 
 # Number of motions of the boundary whose inertia the interior modes must balance, beyond the number of
 # directions. With 24 for any number of directions, errors of 25 bands were up to ten times the estimate.
@@ -18,7 +18,6 @@ SOFT_TRACES = 4
 # steps then contains that of fewer. With as many as directions in all blocks, a further step removed 5 % of
 # an error instead of 40 %.
 STARTS_PER_DIRECTION = 2
-COLUMNS_AT_ONCE = 128  # fields that are copied at a time
 DEPENDENT = 1e-13  # share of the largest inertia below which a direction depends on others
 EXTRA = 3  # random directions in addition, for modes with little motion near the trace
 # If there are few modes: all up to this multiple of the highest frequency are used, others by their response
@@ -28,63 +27,6 @@ EXACT, SAMPLED = 1.5, (0.3, 0.55, 0.8, 1.0)
 # part of the truncation: of steel in epoxy in aluminium it was 4.1e-4 with modes for 3e-2, 1.7e-4 with 1.5e-2
 # and 1.6e-4 with 1e-2, and the pencil had 543, 576 and 612 unknowns.
 MISSED, MISSED_BY_BANDS = 1e-2, 1.5e-2
-
-
-def portions(count: int) -> Iterator[slice]:
-    """At least one slice of few columns each, whose copies need little memory."""
-    starts = range(0, max(count, 1), COLUMNS_AT_ONCE)
-    return (slice(first, min(first + COLUMNS_AT_ONCE, count)) for first in starts)
-
-
-class Factorised(Protocol):
-    """Solver with the factorised stiffness of an interior."""
-
-    def solve(self, right: Array) -> Array:
-        """(n, m) static responses to forces (n, m)."""
-
-
-@dataclass(frozen=True)
-class Bounded:
-    """Forms of a body with n interior unknowns and b on its boundary.
-
-    coupling : (n, b) stiffness between the two, sparse where few unknowns inside meet the boundary
-    outer_stiffness, outer_mass : (b, b)
-    mass : (n,) diagonal, or (n, n) sparse; mass_coupling : (n, b), or None where mass is lumped
-    """
-
-    coupling: Array | sp.csr_array
-    outer_stiffness: Array
-    outer_mass: Array
-    mass: Array | sp.csr_array
-    mass_coupling: Array | None = None
-
-    def inertia(self, fields: Array) -> Array:
-        """(n, k) mass times fields (n, k)."""
-        lumped = isinstance(self.mass, np.ndarray)
-        return np.asarray(self.mass[:, None] * fields if lumped else self.mass @ fields)
-
-    def mass_with(self, static: Array) -> Array:
-        """(b, b) mass of the boundary if the interior responds with ``static`` (n, b)."""
-        along = [static.T @ self.inertia(static[:, few]) for few in portions(static.shape[1])]
-        mass = self.outer_mass + np.hstack(along)
-        if self.mass_coupling is not None:
-            crossed = self.mass_coupling.T @ static
-            mass += crossed + crossed.T
-        return np.asarray(mass)
-
-    def stiffness_with(self, static: Array) -> Array:
-        """(b, b) stiffness of the boundary if the interior responds with ``static`` (n, b)."""
-        along = [self.coupling.T @ static[:, few] for few in portions(static.shape[1])]
-        return np.asarray(self.outer_stiffness + np.hstack(along))
-
-    def static(self, solver: Factorised) -> Array:
-        """(n, b) motion inside for unit motions of the boundary; ``solver`` has factorised the interior."""
-        if isinstance(self.coupling, np.ndarray):
-            return solver.solve(-self.coupling)
-        motion = np.empty(self.coupling.shape, order="F")
-        for few in portions(motion.shape[1]):
-            motion[:, few] = solver.solve(-self.coupling[:, few].toarray(order="F"))
-        return motion
 
 
 @dataclass(frozen=True)
@@ -171,7 +113,9 @@ class CraigBampton:
         )
 
 
-def reduced(solver: Factorised, body: Bounded, steps: int, block: int) -> CraigBampton:
+def reduced(
+    solver: Factorised, response: StaticResponse, steps: int, block: int, starts: Array | None = None
+) -> CraigBampton:
     """Reduce a body whose interior stiffness ``solver`` has factorised; see `interior_modes`.
 
     The modes Phi do not balance the whole inertia F inside. To first order in the remaining force, the
@@ -179,21 +123,27 @@ def reduced(solver: Factorised, body: Bounded, steps: int, block: int) -> CraigB
 
         lambda - lambda_exact = lambda^2 u* Omega u,    Omega = F^T (K_ii^-1 - Phi Lambda^-1 Phi^T) F,
 
-    with ``F = M_ii [T, Phi]``. Only the static responses T to the softest boundary motions enter Omega.
+    with ``F = M_ii [T, Phi]``. Only the static responses T to ``starts`` enter Omega.
+
+    starts : (b, s) motions of the boundary, orthonormal in its mass, from whose responses the Krylov space
+        starts; by default the softest
     """
-    static = body.static(solver)
-    mass, stiffness = body.mass_with(static), body.stiffness_with(static)
-    # softest motions W of the boundary, orthonormal in its mass M: a motion b is W (M W)^T b for all of them
-    few = min(SOFT_TRACES + steps * block, len(mass))
-    _, soft = la.eigh(stiffness, mass, subset_by_index=(0, few - 1))
+    body, static, stiffness, mass = response.body, response.static, response.stiffness, response.mass
+    # a motion b is W (M W)^T b for all orthonormal motions W
+    soft = response.softest(SOFT_TRACES + steps * block)
+    among = SOFT_TRACES + STARTS_PER_DIRECTION * block
+    if starts is not None and starts.shape[1]:
+        block = among = starts.shape[1]
+        beside = orthonormal(soft - starts @ (starts.T @ (mass @ soft)), mass)
+        soft = np.hstack([starts, beside])
     dual = mass @ soft
     force = body.inertia(static @ soft)
     if body.mass_coupling is not None:
         force += body.mass_coupling @ soft
     if isinstance(body.mass, np.ndarray):
-        values, modes, dynamic, moved = interior_modes(solver, body.mass, force, steps, block)
+        values, modes, dynamic, moved = interior_modes(solver, body.mass, force, steps, block, among)
     else:
-        values, modes, dynamic, moved = consistent_modes(solver, body.mass, force, steps, block)
+        values, modes, dynamic, moved = consistent_modes(solver, body.mass, force, steps, block, among)
     moving = body.inertia(modes)
     to_modes = static.T @ moving
     if body.mass_coupling is not None:
@@ -237,12 +187,12 @@ def with_all_modes(stiffness: Array, mass: Array, outer: Ints) -> CraigBampton:
 
 
 def consistent_modes(
-    solver: Factorised, mass: sp.csr_array, inertia: Array, steps: int, block: int
+    solver: Factorised, mass: sp.csr_array, inertia: Array, steps: int, block: int, among: int
 ) -> tuple[Array, Array, Array, Array]:
     """Compute `interior_modes` for a mass (n, n) that is not diagonal."""
     random = mass @ np.random.default_rng(0).standard_normal((mass.shape[0], EXTRA))
     dynamic, extra = np.split(solver.solve(np.hstack([inertia, random])), [inertia.shape[1]], axis=1)
-    starts = dynamic[:, : SOFT_TRACES + STARTS_PER_DIRECTION * block]
+    starts = dynamic[:, :among]
     _, turn = la.eigh(starts.T @ (mass @ starts))
     new = np.hstack([starts @ turn[:, -block:], extra])
     basis = np.empty((len(new), 0))
@@ -277,7 +227,7 @@ def orthonormal_beside(blocks: Sequence[Fields], new: Fields) -> Fields:
 
 
 def interior_modes(
-    solver: Factorised, mass: Array, inertia: Array, steps: int, block: int
+    solver: Factorised, mass: Array, inertia: Array, steps: int, block: int, among: int
 ) -> tuple[Array, Array, Array, Array]:
     """Compute Rayleigh-Ritz modes of the interior on a short Krylov space.
 
@@ -291,7 +241,8 @@ def interior_modes(
     solver : solver with the factorised stiffness K
     mass : (n,) diagonal mass M
     inertia : (n, b) M times static responses, in ascending order of stiffness
-    steps : number of blocks of the space; block : directions of each that start from this inertia
+    steps : number of blocks of the space; block : directions of each
+    among : number of the first columns of the inertia among whose responses these directions are
 
     Returns
     -------
@@ -303,7 +254,7 @@ def interior_modes(
     random = mass[:, None] * np.random.default_rng(0).standard_normal((len(mass), EXTRA))
     answers = solver.solve(np.hstack([inertia, random]))
     dynamic, extra = np.split(answers, [inertia.shape[1]], axis=1)
-    starts = root * dynamic[:, : SOFT_TRACES + STARTS_PER_DIRECTION * block]
+    starts = root * dynamic[:, :among]
     _, turn = la.eigh(starts.T @ starts)
     new = np.hstack([starts @ turn[:, -block:], root * extra])
     blocks: list[Array] = []

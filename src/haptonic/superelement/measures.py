@@ -8,8 +8,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from haptonic.arrays import Array, Bools
+from haptonic.superelement.bounded import portions
 from haptonic.superelement.folded import FoldedMesh
-from haptonic.superelement.interior import CraigBampton, portions
+from haptonic.superelement.interior import CraigBampton
 from haptonic.superelement.lifting import whole_fields
 from haptonic.superelement.sections import PillarSections, momentum_forms
 

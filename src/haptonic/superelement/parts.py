@@ -14,10 +14,12 @@ from haptonic.arrays import Array
 from haptonic.later import linalg as la, sparse as sp
 from haptonic.parallel import each
 from haptonic.solvers import Solver
+from haptonic.superelement.bounded import Bounded, StaticResponse, orthonormal
 from haptonic.superelement.class_parts import ROUNDING, ClassPart, parts_of_mesh
 from haptonic.superelement.folded import FoldedMesh
-from haptonic.superelement.interior import MISSED_BY_BANDS, Bounded, CraigBampton, reduced
+from haptonic.superelement.interior import MISSED_BY_BANDS, CraigBampton, reduced
 from haptonic.superelement.parallel import with_solver
+from haptonic.superelement.standing import standing_motions
 from haptonic.superelement.trace import FoldedTrace
 
 Result = TypeVar("Result")
@@ -94,34 +96,72 @@ def reduced_by_parts(
     highest : Hz, up to which few modes suffice; by default all modes are used
     """
 
-    def reduced_classes(part: ClassPart, solver: Solver) -> dict[int, CraigBampton]:
+    def responded(part: ClassPart, solver: Solver) -> tuple[PartForms, StaticResponse]:
         forms = PartForms.of(shared, part, ends)
         solver.factorise(forms.interior)
-        of_part = reduced(solver, forms.body, steps, math.ceil(block * part.share))
+        return forms, StaticResponse.of(solver, forms.body)
+
+    def reduced_part(
+        part: ClassPart, solver: Solver, forms: PartForms, response: StaticResponse, starts: Array | None
+    ) -> dict[int, CraigBampton]:
+        of_part = reduced(solver, response, steps, math.ceil(block * part.share), starts)
         if highest is not None:
             of_part = of_part.with_few_modes(highest, MISSED_BY_BANDS)
         if part.is_class:
             return dict.fromkeys(part.fields, of_part)
         return {q: of_part.unfolded(part.inside[q], boundary) for q, boundary in forms.boundary.items()}
 
-    parts = for_each_part(shared, reduced_classes)
+    def from_softest(part: ClassPart, solver: Solver) -> dict[int, CraigBampton]:
+        return reduced_part(part, solver, *responded(part, solver), None)
+
+    def from_standing(
+        part: ClassPart, solver: Solver, forms: PartForms, response: StaticResponse
+    ) -> dict[int, CraigBampton]:
+        solver.factorise(forms.interior)  # the factors of all parts together need too much memory
+        of_classes = [boundary.T @ standing[q] for q, boundary in forms.boundary.items()]
+        return reduced_part(part, solver, forms, response, orthonormal(np.hstack(of_classes), response.mass))
+
+    if ends:  # bodies beyond the ends matter more than equal tiles beyond the sides
+        parts = for_each_part(shared, from_softest)
+    else:
+        responses = for_each_part(shared, responded)
+        standing = [_standing(shared, q, responses, block) for q in range(shared.folding.classes)]
+        parts = for_each_part(shared, from_standing, responses)
     return [
         CraigBampton.together([of_part[q] for of_part in parts if q in of_part])
         for q in range(shared.folding.classes)
     ]
 
 
-def for_each_part(shared: FoldedMesh, work: Callable[[ClassPart, Solver], Result]) -> list[Result]:
-    """Return ``work(part, solver)`` for all parts of a mesh; no two threads share a solver.
+def _standing(
+    shared: FoldedMesh, q: int, parts: Sequence[tuple[PartForms, StaticResponse]], count: int
+) -> Array:
+    """(b, n) motions of the boundary of a class in standing waves, from the responses of its parts."""
+    of_class = [(forms.boundary[q], response) for forms, response in parts if q in forms.boundary]
+    stiffness = np.sum([onto @ response.stiffness @ onto.T for onto, response in of_class], axis=0)
+    mass = np.sum([onto @ response.mass @ onto.T for onto, response in of_class], axis=0)
+    return standing_motions(shared.cell, shared.traces[q], stiffness, mass, count)
+
+
+def for_each_part(
+    shared: FoldedMesh, work: Callable[..., Result], given: list[Any] | None = None
+) -> list[Result]:
+    """Return ``work(part, solver, *given)`` for all parts of a mesh; no two threads share a solver.
 
     Parts share read-only arrays only. One thread per part is faster than threads inside the linear algebra,
     whose matrices are small here.
+
+    given : further arguments for each part, which are removed because they may need much memory
     """
 
-    def work_with_solver(part: ClassPart) -> Result:
-        return with_solver(part.pattern, lambda solver: work(part, solver))
+    def work_with_solver(numbered: tuple[int, ClassPart]) -> Result:
+        number, part = numbered
+        arguments = ()
+        if given is not None:
+            arguments, given[number] = given[number], ()
+        return with_solver(part.pattern, lambda solver: work(part, solver, *arguments))
 
-    return each(work_with_solver, parts_of_mesh(shared))
+    return each(work_with_solver, enumerate(parts_of_mesh(shared)))
 
 
 def _on_trace(part: ClassPart, trace: FoldedTrace) -> sp.csr_array:

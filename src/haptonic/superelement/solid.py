@@ -21,9 +21,10 @@ from haptonic.cell.sectors import along_sides
 from haptonic.cell.topology import topology_of
 from haptonic.later import sparse as sp
 from haptonic.solvers import Pattern, Solver, chosen, definite
+from haptonic.superelement.bounded import Bounded, StaticResponse
 from haptonic.superelement.condense import CondensedClass, Superelement, assembled
 from haptonic.superelement.dynamic import DynamicStiffness
-from haptonic.superelement.interior import MISSED_BY_BANDS, Bounded, reduced
+from haptonic.superelement.interior import MISSED_BY_BANDS, reduced
 from haptonic.superelement.measures import ENERGIES, ClassMeasures
 from haptonic.superelement.surplus import beyond_at_edge
 from haptonic.superelement.symmetry import fold, fold_rim
@@ -260,7 +261,8 @@ def condense_solid(
     """
     body = SolidBody.of(tile, plan)
     solver, _ = body.factorised()
-    reduced_body = reduced(solver, body.bounded, steps, CLASSES * block)
+    response = StaticResponse.of(solver, body.bounded)
+    reduced_body = reduced(solver, response, steps, CLASSES * block)
     if highest is not None:
         reduced_body = reduced_body.with_few_modes(highest, MISSED_BY_BANDS)
     of_trace = body.whole(reduced_body.static, np.eye(body.on_sides.shape[1]))

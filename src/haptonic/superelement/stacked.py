@@ -12,8 +12,9 @@ import numpy as np
 from haptonic.arrays import Array, Fields, Ints
 from haptonic.cell import HexMesh
 from haptonic.later import linalg as la
+from haptonic.superelement.bounded import Bounded, StaticResponse
 from haptonic.superelement.condense import ClassForm, CondensedClass
-from haptonic.superelement.interior import MISSED_BY_BANDS, Bounded, CraigBampton, reduced
+from haptonic.superelement.interior import MISSED_BY_BANDS, CraigBampton, reduced
 from haptonic.superelement.lifting import unfolded, whole_fields
 from haptonic.superelement.measures import ENERGIES, ClassMeasures
 from haptonic.superelement.pillar_body import Kinds, PillarBody
@@ -163,7 +164,8 @@ def joined(
         mass=np.ones(numbers.size),
         mass_coupling=mass_coupling,
     )
-    reduced_class = reduced(_Dense(inside), bounded, steps, block)
+    solver = _Dense(inside)
+    reduced_class = reduced(solver, StaticResponse.of(solver, bounded), steps, block)
     if highest is not None:
         reduced_class = reduced_class.with_few_modes(highest, MISSED_BY_BANDS)
     static, dynamic = (
