@@ -26,6 +26,7 @@ from haptonic.superelement.condense import CondensedClass, Superelement, assembl
 from haptonic.superelement.dynamic import DynamicStiffness
 from haptonic.superelement.interior import MISSED_BY_BANDS, reduced
 from haptonic.superelement.measures import ENERGIES, ClassMeasures
+from haptonic.superelement.standing import standing_motions
 from haptonic.superelement.surplus import beyond_at_edge
 from haptonic.superelement.symmetry import fold, fold_rim
 from haptonic.superelement.trace import FoldedTrace
@@ -262,7 +263,8 @@ def condense_solid(
     body = SolidBody.of(tile, plan)
     solver, _ = body.factorised()
     response = StaticResponse.of(solver, body.bounded)
-    reduced_body = reduced(solver, response, steps, CLASSES * block)
+    starts = standing_motions(tile, body.trace, response.stiffness, response.mass, CLASSES * block)
+    reduced_body = reduced(solver, response, steps, CLASSES * block, starts)
     if highest is not None:
         reduced_body = reduced_body.with_few_modes(highest, MISSED_BY_BANDS)
     of_trace = body.whole(reduced_body.static, np.eye(body.on_sides.shape[1]))
