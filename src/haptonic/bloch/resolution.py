@@ -62,8 +62,8 @@ class Resolution:
     def grown(self, times: int = 1) -> Resolution:
         """Enlarge the interior: each time wider blocks, and one more block if they would be too wide.
 
-        Around wide holes and below caps, where the first interior omits most, wider blocks are better. In
-        other cells further blocks are better, but the first wider ones are enough for an accuracy of 2e-3.
+        Below bodies of pillars wider blocks are better. In other cells further blocks are better, but the
+        first wider ones are enough for an accuracy of 2e-3.
         """
         steps, block = self.steps, self.block
         for _ in range(times):
