@@ -298,7 +298,13 @@ def test_thousands_points_beside_decimal_commas_are_read_and_those_alone_refused
     path.write_text("\n".join(lines).replace(";", separator))
     assert opened(path).group("")["f"][:].tolist() == [0.04, 9838.85, 12839.0]
     path.write_text("\n".join([*lines, "0,010;41.771"]).replace(";", separator))
-    refused(lambda: opened(path).group("")["f"][:], "line 5: '41.771'", code="malformed", kind=ChannelError)
+    refused(
+        lambda: opened(path).group("")["f"][:],
+        "line 5: '41.771'",
+        "write 41,771 or 41771 in line 5",
+        code="malformed",
+        kind=ChannelError,
+    )
 
 
 def test_a_rare_comma_that_may_be_of_thousands_is_refused(tmp_path):

@@ -19,7 +19,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from haptonic.channels.cells import is_missing, numbers_in
+from haptonic.channels.cells import is_missing, number_of, numbers_in
 from haptonic.channels.dialect import (
     Dialect,
     comma_meaning,
@@ -120,12 +120,17 @@ class TextTable:
         if column.is_text and len(column.values):
             line, text = int(self.lines[0]), str(column.values[0])
         if line:
+            cause = "a title or a note among the rows, or a number in an unknown form"
+            next_step = f"correct line {line} of {self.path.name}, or put # before it"
+            if text.count(".") == 1 and number_of(text) is not None:
+                cause = "a point in a table of decimal commas, for decimals or between thousands"
+                next_step = f"write {text.replace('.', ',')} or {text.replace('.', '')} in line {line}"
             raise ChannelError.malformed(
                 argument=f"{self.path.name}, column {column.name}",
                 given=f"line {line}: {shown(text, 40)}",
                 allowed="a number in every row, or an empty cell",
-                cause="a title or a note among the rows, or a number in an unknown form",
-                next_step=f"correct line {line} of {self.path.name}, or put # before it",
+                cause=cause,
+                next_step=next_step,
             )
         return column.values
 
