@@ -12,6 +12,7 @@ from daily import daily
 from haptonic.cell import Disc, Pillar, Site, UnitCell
 from haptonic.cell.tile import enclosed as area_of
 from haptonic.lattice import Lattice
+from haptonic.materials import material
 from haptonic.workshop import (
     Part,
     part_drawing,
@@ -131,6 +132,15 @@ CUT = {  # mm^2, of each material in a section 14 mm long through two stacks
     "cap": {"metal": 14 * 1.5 + 2 * (2.5 * 3 + 4.5)},
     "hollow pillar": {"metal": 14 * 1.5 + 2 * (4 - 2.5) * 4},
 }
+
+
+def test_the_hatches_of_six_materials_differ(tmp_path):
+    names = ("steel", "epoxy", "brass", "silicon", "pmma")
+    discs = tuple(Disc((6 - i) * MM, material=material(name)) for i, name in enumerate(names))
+    part = Part.piece(UnitCell(SQUARE, 1.5 * MM, METAL, disc=discs), 3, 2)
+    space = ezdxf.readfile(write_drawing(tmp_path / "a.dxf", part_drawing(part, "Discs"))).modelspace()
+    patterns = {(hatch.dxf.pattern_angle, hatch.dxf.pattern_scale) for hatch in space.query("HATCH")}
+    assert len(patterns) == len(names) + 1
 
 
 CUT |= {

@@ -32,7 +32,7 @@ NEXT = 7.0  # mm between two dimension lines
 SAME_LEVEL = 1e-6  # mm
 SAME = 1e-6  # relative difference of equal places and distances
 HATCH = 0.6  # size of its pattern on the paper
-ANGLES = (0.0, 90.0, 45.0, 135.0)  # of the hatches of different materials, degrees
+ANGLES = (0.0, 90.0, 45.0, 135.0)  # of the hatches of four materials, degrees; others have wider patterns
 
 
 @dataclass(frozen=True)
@@ -140,8 +140,8 @@ def _draw_row(space: Modelspace, part: Part, row: Row, origin: Array, scale: flo
 
     def hatch(points: Array, solid: Material) -> None:
         entity = space.add_hatch(dxfattribs={"layer": "HATCH"})
-        angle = ANGLES[part.materials.index(solid) % len(ANGLES)]
-        entity.set_pattern_fill("ANSI31", scale=HATCH / scale, angle=angle)
+        wider, number = divmod(part.materials.index(solid), len(ANGLES))
+        entity.set_pattern_fill("ANSI31", scale=(1 + wider) * HATCH / scale, angle=ANGLES[number])
         entity.paths.add_polyline_path((origin + points).tolist(), is_closed=True)
 
     def edge(points: Array, layer: str = "OUTLINE") -> None:
