@@ -21,7 +21,7 @@ CELL = UnitCell(
 
 @pytest.fixture(scope="module")
 def tiling():
-    return Tiling.single(condense(CELL, MeshPlan.suited(CELL, 2, 0)))
+    return Tiling.single(condense(CELL, MeshPlan.suited(CELL, 2, 0), 3))
 
 
 def bands(tiling, kappa, count=8):
@@ -31,7 +31,7 @@ def bands(tiling, kappa, count=8):
 def test_bands_of_a_tiling(tiling):
     """A quarter turn takes X to Y, but for what the interior's modes leave out; three motions are at rest."""
     assert tiling.cell.lattice.name == "square"
-    assert bands(tiling, (np.pi, 0.0)) == pytest.approx(bands(tiling, (0.0, np.pi)), rel=2e-5)
+    assert bands(tiling, (np.pi, 0.0)) == pytest.approx(bands(tiling, (0.0, np.pi)), rel=1e-5)
     assert bands(tiling, (0.0, 0.0))[:3] == pytest.approx(np.zeros(3), abs=50)
     assert bands(tiling, (0.0, 0.0))[3] > 1e3
 

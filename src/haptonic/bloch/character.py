@@ -48,9 +48,7 @@ class Character:
 
 
 def characters(tiling: Tiling, fields: Complex, values: Array) -> Character:
-    """Compute the character of modes, given as (t + m, k) unknowns of a tiling of unit mass.
-
-    values : (k,) eigenvalues, (rad/s)^2, the strain energies of fields of unit mass
+    """Compute the character of modes of unit mass, given as (t + m, k) unknowns of a tiling.
 
     A mode whose kinetic energy is mostly in the pillars is named after the rigid motion of their sections
     with the largest energy: bending (numbered by the nodes of the axis of the pillar with the largest
@@ -58,6 +56,8 @@ def characters(tiling: Tiling, fields: Complex, values: Array) -> Character:
     it is named after the deformation of the sections. Other modes are named after the motion of the plate,
     out of its plane or in it. This includes modes whose pillars move with the plate: heavy pillars can have
     most of the energy of a long wave.
+
+    values : (k,) eigenvalues, (rad/s)^2, which are the strain energies of modes of unit mass
     """
     measures = tiling.measures
     assert measures is not None, "condense with measured=True"

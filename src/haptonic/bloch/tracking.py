@@ -102,8 +102,8 @@ def diagram(model: BlochModel, path: Path, solutions: Sequence[Solution] | None 
             if i < stop or stop == path.corners[-1]:
                 followed.append(solution.fields)
     fields = np.hstack(followed)
-    values = np.concatenate([solution.values[:bands] for solution in solutions])
-    motion = characters(tiling, fields, values)
+    eigenvalues = np.concatenate([solution.values[:bands] for solution in solutions])
+    motion = characters(tiling, fields, eigenvalues)
 
     def per_mode(values: NDArray[Any]) -> NDArray[Any]:
         return values.reshape(count, bands)

@@ -123,10 +123,11 @@ def reduced(
 
         lambda - lambda_exact = lambda^2 u* Omega u,    Omega = F^T (K_ii^-1 - Phi Lambda^-1 Phi^T) F,
 
-    with ``F = M_ii [T, Phi]``. Only the static responses T to ``starts`` enter Omega.
+    with ``F = M_ii [T, Phi]``. Only the static responses T to ``starts``
+    and to the softest motions of the boundary enter Omega.
 
     starts : (b, s) motions of the boundary, orthonormal in its mass, from whose responses the Krylov space
-        starts; by default the softest
+        starts; by default, or if there are none, the softest
     """
     body, static, stiffness, mass = response.body, response.static, response.stiffness, response.mass
     # a motion b is W (M W)^T b for all orthonormal motions W
