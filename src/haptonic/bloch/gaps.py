@@ -13,12 +13,16 @@ from haptonic.bloch.model import BlochModel
 from haptonic.bloch.symmetry import WAVES, Waves
 from haptonic.bloch.tracking import Diagram
 from haptonic.errors import StudyError
+from haptonic.lattice import Lattice
 from haptonic.units import Hertz, format_quantity, hz_text, to_si
 
 COARSE_DIVISIONS = 12  # of the irreducible zone's sides in the first sampling
 DOUBT = 0.5  # relative deviation allowed between the change of a band and its slope at a corner
-FLAT = 0.05  # slope at a corner, as a share of the triangle's steepest, below which the corner gives no bound
+FLAT = 0.05  # slope at a corner, as a share of the steepest, below which the corner gives no bound
+STILL = 1e-6  # the same where symmetry requires a slope of zero
+RISE = 2.5  # slope over secant beyond which a curve may exceed an end with zero slope: 2 parabola, 3 cubic
 INSIDE = np.array([(i, j, 6 - i - j) for i in range(7) for j in range(7 - i)]) / 6.0  # of a triangle
+BETWEEN = np.array([(i, 12 - i) for i in range(13)]) / 12.0  # of a part of a line
 SEARCH_GOAL = 1e-4  # relative uncertainty of an edge at which the search stops
 MOST_SAMPLES = 600  # wavevectors; beyond them the remaining uncertainty is added to the error
 
@@ -85,6 +89,33 @@ class Gap:
         return self.margin(frequency) > 0
 
 
+def ceilings(corners: Array, value: Array, slope: Array, inside: Array) -> Array:
+    """(t,) highest frequencies that a band may have between corners of triangles, or between ends of lines.
+
+    Between corners k_v, a band f with gradients g_v there is assumed to stay below
+
+        min over v of  f(k_v) + g_v . (k - k_v) + DOUBT |g_v . (k - k_v)|,
+
+    planes that touch the band and rise a little faster. This also applies to the lower of two crossing bands.
+    A corner with little slope gives no bound unless it is the highest one. If its slope is zero, which
+    symmetry requires at some wavevectors, it may be a minimum between two maxima: then it gives no bound if a
+    band with the slope of another corner would rise above it.
+
+    corners : (t, v, 2); value : (t, v); slope : (t, v, 2); inside : (s, v) shares of the corners
+    """
+    away = np.einsum("sv,tvk->tsk", inside, corners)[:, :, None] - corners[:, None]
+    change = np.einsum("tsvk,tvk->tsv", away, slope)
+    planes = value[:, None] + change + DOUBT * np.abs(change)
+    steepness = np.linalg.norm(slope, axis=2)
+    steepest = steepness.max(axis=1, keepdims=True)
+    rise = np.einsum("tvwk,twk->tvw", corners[:, :, None] - corners[:, None], slope)  # at v, from w on
+    exceeded = (rise > RISE * (value[:, :, None] - value[:, None])).any(axis=2)
+    unbound = (steepness <= FLAT * steepest) & (value < value.max(axis=1, keepdims=True))
+    unbound |= (steepness <= STILL * steepest) & exceeded
+    planes = np.where(unbound[:, None], np.inf, planes)
+    return np.asarray(np.maximum(value.max(axis=1), planes.min(axis=2).max(axis=1)))
+
+
 class ZoneSampling:
     """Frequencies at wavevectors of the irreducible zone, on triangles refined near the edges of gaps.
 
@@ -111,14 +142,8 @@ class ZoneSampling:
     def edge(self, band: int, sign: int, relative: float | None = None) -> tuple[float, Array, float]:
         """Highest (sign = +1) or lowest (-1) frequency of a band over the zone.
 
-        Inside a triangle with corners kappa_v, a band f with gradients g_v there is assumed to stay below
-
-            min over v of  f(kappa_v) + g_v . (kappa - kappa_v) + DOUBT |g_v . (kappa - kappa_v)|,
-
-        planes that touch the band and rise a little faster. This also applies to the lower of two crossing
-        bands. A corner with zero slope, which symmetry requires at some wavevectors, gives no bound unless it
-        is the maximum of its triangle. Triangles that could exceed the best value are halved until no
-        triangle can exceed it by more than the goal, ``relative`` or by default `SEARCH_GOAL`.
+        Triangles that could exceed the best value (`ceilings`) are halved until no triangle can exceed it by
+        more than the goal, ``relative`` or by default `SEARCH_GOAL`.
 
         Returns
         -------
@@ -128,15 +153,7 @@ class ZoneSampling:
             value = sign * np.array([f[band] for f in self.frequency])
             slope = sign * np.array([s[band] for s in self.slope])
             corners = np.array(self.kappa)[self.triangles]
-            at_corners = value[self.triangles]
-            away = np.einsum("sv,tvk->tsk", INSIDE, corners)[:, :, None] - corners[:, None]
-            change = np.einsum("tsvk,tvk->tsv", away, slope[self.triangles])
-            planes = at_corners[:, None] + change + DOUBT * np.abs(change)
-            steepness = np.linalg.norm(slope[self.triangles], axis=2)
-            flat = steepness <= FLAT * steepness.max(axis=1, keepdims=True)
-            flat &= at_corners < at_corners.max(axis=1, keepdims=True)
-            planes = np.where(flat[:, None], np.inf, planes)  # use the two other corners
-            ceiling = np.maximum(at_corners.max(axis=1), planes.min(axis=2).max(axis=1))
+            ceiling = ceilings(corners, value[self.triangles], slope[self.triangles], INSIDE)
             best = int(value.argmax())
             doubt = float(ceiling.max() - value[best])
             goal = (relative or SEARCH_GOAL) * abs(value[best])
@@ -282,18 +299,25 @@ def need_gap_at(gaps: Sequence[Gap], carrier: float) -> Gap:
     )
 
 
-def partial_gaps(diagram: Diagram, complete: tuple[Gap, ...]) -> tuple[Gap, ...]:
+def partial_gaps(lattice: Lattice, diagram: Diagram, complete: tuple[Gap, ...]) -> tuple[Gap, ...]:
     """Certain gaps for the wavevectors of one segment of the path, without complete gaps.
 
-    The error of an edge includes the possible change of its band between two samples, from the slopes there.
+    The error of an edge includes the possible excess of its band between two samples (`ceilings`).
     """
     of_complete = {gap.between for gap in complete}
     path, gaps = diagram.path, []
+    wavevector, slope = lattice.wavevector(path.kappa), np.nan_to_num(diagram.velocity) / (2 * np.pi)
+
+    def excess(start: int, stop: int, band: int, sign: int) -> float:
+        """Largest excess of a band over its samples, Hz: of its highest (sign = +1) or lowest one (-1)."""
+        value = sign * diagram.frequency[start : stop + 1, band]
+        ends = (wavevector[start : stop + 1], value, sign * slope[start : stop + 1, band])
+        pairs = (np.stack([of_ends[:-1], of_ends[1:]], axis=1) for of_ends in ends)
+        return float(ceilings(*pairs, BETWEEN).max() - value.max())
+
     pieces = zip(path.corners, path.corners[1:], path.labels, path.labels[1:], strict=False)
     for start, stop, first, last in pieces:
         inside = slice(start, stop + 1)
-        step = np.diff(path.distance[inside]).max()
-        speed = np.nan_to_num(np.linalg.norm(diagram.velocity[inside], axis=2)) / (2 * np.pi)
         frequency, error = diagram.frequency[inside], diagram.error[inside]
         for band in range(frequency.shape[1] - 1):
             low, high = int(frequency[:, band].argmax()), int(frequency[:, band + 1].argmin())
@@ -304,8 +328,8 @@ def partial_gaps(diagram: Diagram, complete: tuple[Gap, ...]) -> tuple[Gap, ...]
                 between=(band + 1, band + 2),
                 lower=lower,
                 upper=upper,
-                lower_error=float(error[low, band] + 0.5 * step * speed[low, band]),
-                upper_error=float(error[high, band + 1] + 0.5 * step * speed[high, band + 1]),
+                lower_error=float(error[low, band]) + excess(start, stop, band, +1),
+                upper_error=float(error[high, band + 1]) + excess(start, stop, band + 1, -1),
                 lower_kappa=_phases(path.kappa[inside][low]),
                 upper_kappa=_phases(path.kappa[inside][high]),
                 complete=False,
@@ -318,7 +342,7 @@ def partial_gaps(diagram: Diagram, complete: tuple[Gap, ...]) -> tuple[Gap, ...]
 
 def listed_gaps(model: BlochModel, diagram: Diagram, complete: tuple[Gap, ...]) -> tuple[Gap, ...]:
     """Complete gaps, those of one parity, and those of segments of the path."""
-    return (*complete, *parity_gaps(model, complete), *partial_gaps(diagram, complete))
+    return (*complete, *parity_gaps(model, complete), *partial_gaps(model.cell.lattice, diagram, complete))
 
 
 def _phases(kappa: Array) -> tuple[float, float]:
