@@ -1,10 +1,18 @@
 """The command about ribbons, from the outside."""
 
+import re
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 import xarray as xr
 
+from haptonic.analyses.ribbon import accuracy_of
+from haptonic.bloch.model import BestModel
+from haptonic.bloch.settings import BandSettings
+from haptonic.results.common import accuracy_remarks
 from haptonic.results.ribbon import RibbonWaves
+from haptonic.study import loads
 from quick import FINER_CELL
 from unseen_pictures import leave_pictures_empty
 
@@ -186,3 +194,25 @@ def test_all_modes_are_in_the_file_with_what_they_are(ran):
     (mode,) = np.flatnonzero(straight & held)
     assert data["guide_share"].values[mode] > 0.9
     assert data["group_velocity"].values[mode] == pytest.approx(1560, rel=0.1)
+
+
+def test_the_stated_error_of_a_plain_strip_is_that_of_its_modes():
+    strip = STRIP.replace('"ooo"', '"11"').replace('o = "lattice"', '1 = "plain"').replace("60", "30")
+    attributes = {}
+    for name, text in (("given", FINER_CELL), ("found", re.sub(r"\[mesh\][^[]*", "", FINER_CELL))):
+        data = loads(text + strip).ribbon().dataset
+        attributes[name] = data.attrs
+        largest = (data["frequency_error"] / data["frequency"]).max()
+        assert data.attrs["largest_error"] == pytest.approx(float(largest))
+    assert "stopped_by" not in attributes["given"] | attributes["found"]
+
+
+def test_errors_beyond_the_accuracy_of_the_cells_name_the_smaller_accuracy():
+    modes = xr.Dataset({"frequency": ("mode", [1e3, 2e3]), "frequency_error": ("mode", [10.0, 60.0])})
+    settings = BandSettings(accuracy=1e-2)
+    best = BestModel(SimpleNamespace(worst_error=5e-3))
+    attributes = accuracy_of(modes, np.empty(0), [best], settings)
+    assert attributes["largest_error"] == pytest.approx(0.03)
+    (remark,) = accuracy_remarks(attributes)
+    assert "a smaller accuracy in [bands] refines it" in remark
+    assert "accept" not in remark

@@ -67,6 +67,7 @@ class TestCommand:
         ran = inside("verify", "--list", store=tmp_path / "empty")
         assert ran.code == 0
         assert all(case.id in ran.out for case in cases())
+        assert "study prototype)" in " ".join(ran.out.split())
         assert not (tmp_path / "empty").exists()
 
     def test_new_copies_the_study_of_a_case(self, inside, tmp_path):

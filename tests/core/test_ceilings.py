@@ -20,9 +20,7 @@ def along_x(samples, below, slope_below):
     path = SimpleNamespace(
         kappa=np.stack([x, np.zeros(samples)], axis=1), corners=(0, samples - 1), labels=("G", "X")
     )
-    return SimpleNamespace(
-        path=path, frequency=frequency, velocity=velocity, error=np.zeros_like(frequency)
-    )
+    return SimpleNamespace(path=path, frequency=frequency, velocity=velocity, error=np.zeros_like(frequency))
 
 
 def bumpy(x):

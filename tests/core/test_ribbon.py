@@ -21,7 +21,7 @@ from haptonic.bloch.pencil import eigenpairs
 from haptonic.bloch.resolution import Resolution
 from haptonic.bloch.ribbon import RibbonModel, RibbonModes, bulk_bands
 from haptonic.bloch.ribbon_datasets import ribbon_dataset
-from haptonic.bloch.ribbon_modes import decay, harmonics, in_gap, outermost, within
+from haptonic.bloch.ribbon_modes import GuideMotion, decay, in_gap, outermost, within
 from haptonic.bloch.rows import attenuation
 from haptonic.cell import Pillar, Ribbon, Site, UnitCell
 from haptonic.errors import GeometryError
@@ -142,7 +142,7 @@ def test_the_prototypes_guide_holds_one_mode_without_nodal_lines_at_17_intervals
     assert modes.energy.sum(axis=(1, 2)) == pytest.approx([1.0], rel=1e-9), "unit mass"
     assert share > 0.95
     assert edges < 1e-4
-    wavenumber, across = harmonics(model.ribbon, model.fine, modes)
+    wavenumber, across = GuideMotion.of(model).harmonics(modes)
     assert wavenumber == pytest.approx([17.5 * np.pi / (20 * 7 * MM)], rel=1e-9)
     assert across == pytest.approx([0.0])
 

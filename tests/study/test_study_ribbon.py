@@ -192,6 +192,13 @@ def test_what_is_no_ribbon_is_refused_in_five_parts(text, code, argument, words)
     assert_explained(caught.value, words, code=code, argument=argument)
 
 
+@each("line", ["ooo1111xoo", "ooo1 11ooo", '""\nooo\no1\n""'])
+def test_errors_of_a_map_propose_no_absent_tile(line):
+    with pytest.raises(HaptonicError) as caught:
+        loads(changed(("ooo1111ooo", line)))
+    assert '"."' not in str(caught.value)
+
+
 def test_the_error_for_a_missing_ribbon_names_the_table():
     with pytest.raises(HaptonicError) as caught:
         ribbon.check(loads(STUDY), NoOptions())

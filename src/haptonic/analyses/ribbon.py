@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 
@@ -12,15 +13,17 @@ from haptonic.analyses.costs import meshes
 from haptonic.analyses.options import PageOption
 from haptonic.analyses.runner import Runner
 from haptonic.analyses.support import every_cell
+from haptonic.arrays import Array
 from haptonic.bloch.gaps import gap_at, widest_gap
-from haptonic.bloch.model import best_model
+from haptonic.bloch.model import BestModel, best_model
 from haptonic.bloch.ribbon import RibbonModel, bulk_bands
 from haptonic.bloch.ribbon_datasets import bulk_dataset, field_dataset, ribbon_dataset
 from haptonic.bloch.ribbon_fields import fields_dataset
-from haptonic.bloch.settings import HIGHEST, LOWEST
+from haptonic.bloch.settings import HIGHEST, LOWEST, BandSettings
 from haptonic.cell import UnitCell
 from haptonic.cell.scales import scales
 from haptonic.errors import StudyError
+from haptonic.later import xarray as xr
 from haptonic.parallel import one_thread
 from haptonic.results.common import stamped
 from haptonic.results.cost import Cost
@@ -31,6 +34,7 @@ from haptonic.units import format_quantity
 
 BESIDE = 0.15  # search range on either side of a gap, relative to its width
 COLUMN = 0.17  # s per column of a ribbon with one tile and wavevector
+COARSER = "a smaller accuracy in [bands] refines it"
 BULK = 0.2  # s per wavevector of a crystal
 
 
@@ -93,7 +97,7 @@ def compute(study: Description, options: PageOption, runner: Runner) -> RibbonWa
         "loss_factor": list(ribbon.first[0].loss_factors),
         "unknowns": len(model.fine.order),
         "mesh": json.dumps([resolution.order, resolution.foot_rings]),
-        **max(bests, key=lambda best: best.model.worst_error).attributes(settings),
+        **accuracy_of(dataset, bulk, bests, settings),
     } | ({"carrier_hz": study.carrier} if study.carrier is not None else {})
     if options.html:
         dataset = dataset.merge(fields_dataset(model, waves))
@@ -102,6 +106,19 @@ def compute(study: Description, options: PageOption, runner: Runner) -> RibbonWa
     if best is not None:
         dataset = dataset.merge(field_dataset(model, best, waves))
     return RibbonWaves(stamped(dataset.assign_attrs(result.dataset.attrs), study.inputs()))
+
+
+def accuracy_of(
+    modes: xr.Dataset, bulk: Array, bests: Sequence[BestModel], settings: BandSettings
+) -> dict[str, Any]:
+    """Attributes on the accuracy of the modes and, if there are bulk bands, of the models that give these."""
+    worst = max(bests, key=lambda best: best.model.worst_error)
+    own = float((modes["frequency_error"] / modes["frequency"]).max()) if modes.sizes["mode"] else 0.0
+    attributes = worst.attributes(settings)
+    attributes["largest_error"] = max(own, worst.model.worst_error if bulk.size else 0.0)
+    if own > settings.accuracy and worst.lack is None and not settings.resolution:
+        attributes |= {"stopped_by": "ribbon", "stopped_why": COARSER}
+    return attributes
 
 
 def _range(study: Description, crystals: Sequence[UnitCell], runner: Runner) -> tuple[float, float]:

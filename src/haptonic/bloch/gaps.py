@@ -310,10 +310,13 @@ def partial_gaps(lattice: Lattice, diagram: Diagram, complete: tuple[Gap, ...]) 
 
     def excess(start: int, stop: int, band: int, sign: int) -> float:
         """Largest excess of a band over its samples, Hz: of its highest (sign = +1) or lowest one (-1)."""
-        value = sign * diagram.frequency[start : stop + 1, band]
-        ends = (wavevector[start : stop + 1], value, sign * slope[start : stop + 1, band])
-        pairs = (np.stack([of_ends[:-1], of_ends[1:]], axis=1) for of_ends in ends)
-        return float(ceilings(*pairs, BETWEEN).max() - value.max())
+        inside = slice(start, stop + 1)
+        value = sign * diagram.frequency[inside, band]
+        corners, at_corners, slope_there = (
+            np.stack([samples[:-1], samples[1:]], axis=1)
+            for samples in (wavevector[inside], value, sign * slope[inside, band])
+        )
+        return float(ceilings(corners, at_corners, slope_there, BETWEEN).max() - value.max())
 
     pieces = zip(path.corners, path.corners[1:], path.labels, path.labels[1:], strict=False)
     for start, stop, first, last in pieces:

@@ -9,7 +9,7 @@ import numpy as np
 from haptonic.arrays import Array
 from haptonic.bloch.face_grid import FlatFace, strongest
 from haptonic.bloch.ribbon import RibbonModel, RibbonModes
-from haptonic.bloch.ribbon_modes import decay, harmonics, in_gap, outermost, within
+from haptonic.bloch.ribbon_modes import GuideMotion, decay, in_gap, outermost, within
 from haptonic.gate import declared, describe, titled
 from haptonic.later import xarray as xr
 
@@ -26,12 +26,12 @@ def ribbon_dataset(
     modes_by_phase : modes at each wavevector; bulk : (crystals, wavevectors, bands, 2) Hz
     rows : length in cells of a guide with free ends, or None
     """
-    ribbon = model.ribbon
+    ribbon, motion = model.ribbon, GuideMotion.of(model)
     pieces = []
     for number, modes in enumerate(modes_by_phase):
         share = modes.energy / modes.energy.sum(axis=(1, 2), keepdims=True)
         share_in_guide, between = within(modes.energy, ribbon.guide), in_gap(modes, bulk[:, number])
-        wavenumber, across = harmonics(ribbon, model.fine, modes)
+        wavenumber, across = motion.harmonics(modes)
         fall, fall_error = (np.where(between, each, np.nan) for each in decay(model, modes))
         towards_guide = share_in_guide > within(modes.energy, outermost(ribbon))
         pieces.append({
@@ -78,7 +78,7 @@ def ribbon_dataset(
             "no negative decay, and for all modes of a strip",
         ),
         "decay": ("dB/row", "decay of the energy away from the guide"),
-        "wavenumber": ("rad/m", "wavenumber of the strongest harmonic of the normal motion along the guide"),
+        "wavenumber": ("rad/m", "wavenumber of the strongest harmonic of the motion along the guide"),
         "nodal_lines": ("1", "nodal lines of the normal motion across the guide"),
         "intervals": ("1", "intervals between nodal lines along a guide of the given length"),
     }
@@ -87,9 +87,9 @@ def ribbon_dataset(
         dataset,
         decay=NO_DECAY,
         decay_error=NO_DECAY,
-        wavenumber="tiles without sides along the ribbon, or several lines of cells",
-        nodal_lines="no guide of one line, or tiles without sides along the ribbon",
-        intervals="no length in cells was given, or tiles without sides along the ribbon",
+        wavenumber="several lines of cells",
+        nodal_lines="no guide of one line of cells, or a mode without normal motion",
+        intervals="no length in cells was given, or several lines of cells",
     )
 
 

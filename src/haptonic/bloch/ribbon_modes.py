@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+from typing import Self
+
 import numpy as np
 
-from haptonic.arrays import Array, Bools
-from haptonic.bloch.ribbon import RibbonModel, RibbonModes, RibbonPencil
+from haptonic.arrays import Array, Bools, Complex
+from haptonic.bloch.face_grid import STEPS, FaceGrid, FlatFace, middles
+from haptonic.bloch.ribbon import RibbonModel, RibbonModes
 from haptonic.cell import Ribbon
 
 FAINTEST = 1e-18  # share of the energy below which a column contains rounding errors only
-LEAST_ON_LINE = 3  # places along the ribbon needed to determine harmonics
 HARMONICS = np.arange(-3, 4)
+INPLANE = 1e-6  # share of normal motion in the squared amplitude below which a mode has none
 STILL = 0.05  # share of the largest amplitude across the guide below which the sign is not used
 NEAR_AND_FAR = 5  # number of rows from which the first, with evanescent waves of all kinds, is left out
 OWN_AND_SHARED = 2.0  # distances to the stiffened pencil in an error: its own, and as much for all modes
@@ -85,42 +89,58 @@ def _fitted(x: Array, y: Array) -> tuple[float, float]:
     return -float(slope), float(np.sqrt(missed / max(len(x) - 2, 1) / spread))
 
 
-def harmonics(ribbon: Ribbon, pencil: RibbonPencil, modes: RibbonModes) -> tuple[Array, Array]:
-    """Wavenumbers (k,) rad/m along the guide, and (k,) nodal lines across a plain one, of the normal motion.
+@dataclass(frozen=True)
+class GuideMotion:
+    """Motion of a guide, or of a whole strip, on a grid of its flat face.
 
-    A mode is decomposed into ``exp(i (kappa + 2 pi h) y / period)`` along sides of tiles that are parallel to
-    the ribbon, on the flat face; the harmonic with the largest amplitude is used. NaN if tiles have no sides
-    along the ribbon, and for several lines, because a guide that varies along the ribbon has no wavenumber.
+    A mode is decomposed into ``exp(i (kappa + 2 pi h) y / period)`` along the ribbon.
     """
-    if ribbon.more:
-        return np.full(len(modes.frequency), np.nan), np.full(len(modes.frequency), np.nan)
-    joint = pencil.tiling.joint
-    sizes = np.diff(joint.ends, prepend=0)
-    carrying = ribbon.guide[0] | (ribbon.kind == "strip")  # a wave of a strip moves all of it
-    places = np.flatnonzero(np.repeat(carrying[ribbon.place_of_tile[1]], sizes))
-    at = joint.position[places] @ ribbon.turn.T
-    motion = modes.fields[joint.unknowns[0, places, 2]]
-    close = 1e-6 * ribbon.period
-    lines = np.round(at[:, 0] / close).astype(np.int64)
-    on_lines: list[Array] = []
-    for line in np.unique(lines):
-        on = np.flatnonzero(np.abs(lines - line) <= 1)
-        y, first = np.unique(np.round(at[on, 1] / close).astype(np.int64), return_index=True)
-        if len(y) < LEAST_ON_LINE or np.ptp(y) * close < 0.99 * ribbon.period:
-            continue
-        y, weight = y * close, np.gradient(y * close)
-        waves = np.exp(-1j * np.outer(modes.kappa + 2 * np.pi * HARMONICS, y / ribbon.period)) * weight
-        on_lines.append(waves @ motion[on[first]])
-    if not on_lines:
-        return np.full(len(modes.frequency), np.nan), np.full(len(modes.frequency), np.nan)
-    amplitude = np.array(on_lines)  # (lines, harmonics, k)
-    strongest = (np.abs(amplitude) ** 2).sum(axis=0).argmax(axis=0)
-    wavenumber = np.abs(modes.kappa + 2 * np.pi * HARMONICS[strongest]) / ribbon.period
-    across = np.take_along_axis(amplitude, strongest[None, None], axis=1)[:, 0]
-    phase = np.take_along_axis(across, np.abs(across).argmax(axis=0)[None], axis=0)
-    size = (across * np.exp(-1j * np.angle(phase))).real / np.maximum(np.abs(phase), 1e-300)
-    lines_across = np.full(size.shape[1], np.nan)
-    for number, profile in enumerate(size.T if ribbon.kind == "guide" else []):
-        signs = np.sign(profile[np.abs(profile) > STILL])
-        lines_across[number] = (np.diff(signs) != 0).sum()
-    return wavenumber, lines_across
+
+    ribbon: Ribbon
+    face: FlatFace
+    grid: FaceGrid
+
+    @classmethod
+    def of(cls, model: RibbonModel) -> Self:
+        """Make the grid, with several points in each column."""
+        ribbon = model.ribbon
+        face = FlatFace.of(model.fine.tiling, ribbon.turn)
+        carrying = np.flatnonzero(ribbon.guide[0] | (ribbon.kind == "strip"))  # a wave of a strip moves all
+        middle, width = ((values @ ribbon.turn.T)[carrying, 0] for values in (ribbon.origins, ribbon.steps))
+        counts = np.ceil(STEPS * np.maximum(width / ribbon.period, 1.0)).astype(int)
+        columns = zip(middle - 0.5 * width, width, counts, strict=True)
+        across = np.concatenate([middles(*column) for column in columns])
+        along = middles(face.position[:, 1].min(), ribbon.period, STEPS)
+        way = np.array([[0.0, ribbon.period]])
+        return cls(ribbon, face, FaceGrid.of(across, along, face.position, face.triangles, way))
+
+    def harmonics(self, modes: RibbonModes) -> tuple[Array, Array]:
+        """Wavenumbers (k,) rad/m along the guide, and (k,) nodal lines of the normal motion across it.
+
+        Both are those of the harmonic with the largest amplitude. NaN for several lines of cells, because a
+        guide that varies along the ribbon has no wavenumber; lines only of a plain guide's normal motion.
+        """
+        count = len(modes.frequency)
+        wavenumber, lines = np.full((2, count), np.nan)
+        if self.ribbon.more or not count:
+            return wavenumber, lines
+        motion = self.face.motion(modes.fields).reshape(-1, 3 * count)
+        on_grid = self.grid.values(motion, np.array([1j * modes.kappa])).reshape(3, count, -1, STEPS)
+        phases = modes.kappa + 2 * np.pi * HARMONICS
+        amplitude = on_grid @ np.exp(-1j * np.outer(self.grid.along / self.ribbon.period, phases))
+        strength = (np.abs(amplitude) ** 2).sum(axis=2)  # (3, k, harmonics)
+        largest = strength.sum(axis=0).argmax(axis=1)
+        wavenumber = np.abs(phases[largest]) / self.ribbon.period
+        if self.ribbon.kind == "guide":
+            for mode, harmonic in enumerate(largest):
+                of_mode = strength[:, mode, harmonic]
+                if of_mode[2] > INPLANE * of_mode.sum():
+                    lines[mode] = _sign_changes(amplitude[2, mode, :, harmonic])
+        return wavenumber, lines
+
+
+def _sign_changes(profile: Complex) -> int:
+    """Number of sign changes of a complex profile in phase with its largest value."""
+    phase = profile[np.abs(profile).argmax()]
+    size = (profile * np.exp(-1j * np.angle(phase))).real
+    return int((np.diff(np.sign(size[np.abs(size) > STILL * np.abs(phase)])) != 0).sum())

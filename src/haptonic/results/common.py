@@ -27,6 +27,7 @@ REASONS = {
     "memory": "lack of memory",
     "range": "range of validity",
     "bands": "the number of bands",
+    "ribbon": "the mesh, which is that of the cells' bands",
 }
 
 
@@ -49,7 +50,7 @@ def accuracy_remarks(attributes: Mapping[str, Any]) -> list[str]:
         remark += " The study sets the mesh in [mesh]; without it, the accuracy determines the mesh."
     if "budget_needed_s" in attributes:
         remark += f' Run again with --budget "{duration(attributes["budget_needed_s"])}" for the next mesh.'
-    if largest <= COARSEST:  # a study accepts no larger number
+    if largest <= COARSEST and attributes.get("stopped_by") != "ribbon":  # a study accepts no larger number
         remark += f" To accept these errors, set accuracy = {reached} in [bands]."
     return [remark]
 

@@ -235,7 +235,10 @@ class Table:
         markup = FORMS[form]
         if markup.raw:
             records = [self._record(row) for row in self.rows]
-            head = tuple(dict.fromkeys(name for record in records for name in record))
+            unknown = [Uncertain(math.nan, math.nan) if column.error else None for column in self.columns]
+            head = tuple(
+                dict.fromkeys(name for record in records or [self._record(unknown)] for name in record)
+            )
             rows = [tuple(record.get(name) for name in head) for record in records]
         else:
             head, rows = self.head, list[tuple[object, ...]](self.texts)

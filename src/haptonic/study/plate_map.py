@@ -13,8 +13,11 @@ MOST_TILES = 100_000
 ALIKE = ("O0oQ", "1lI|i", "2zZ", "5sS", "8B")  # letters that are easily confused
 
 
-def drawn(text: str) -> str:
-    """The map without blanks at the ends of lines and without empty lines around it."""
+def drawn(text: str, *, holes: bool = True) -> str:
+    """The map without blanks at the ends of lines and without empty lines around it.
+
+    holes : whether tiles may be absent
+    """
     lines = [line.strip() for line in text.strip().splitlines()]
     if not any(set(line) - {NOTHING} for line in lines):
         raise problem(
@@ -31,7 +34,7 @@ def drawn(text: str) -> str:
                 f"{len(line)} tiles in line {number}, {shown(line)}",
                 f"{len(lines[0])} tiles in every line, as in the first",
                 "a tile was left out or written twice" if line else "a line is empty",
-                f'correct line {number}; "{NOTHING}" is an absent tile',
+                f"correct line {number}" + f'; "{NOTHING}" is an absent tile' * holes,
             )
     if len(lines) * len(lines[0]) > MOST_TILES:
         raise _too_large(len(lines), len(lines[0]))
@@ -66,8 +69,13 @@ def check_map(lines: Sequence[str], rows: int | None, tiles: Mapping[str, str]) 
         )
 
 
-def check_letters(lines: Sequence[str], tiles: Mapping[str, str], table: str = "[plate.tiles]") -> None:
-    """Refuse letters that a table does not explain, and entries of it that are invalid or not used."""
+def check_letters(
+    lines: Sequence[str], tiles: Mapping[str, str], table: str = "[plate.tiles]", *, holes: bool = True
+) -> None:
+    """Refuse letters that a table does not explain, and entries of it that are invalid or not used.
+
+    holes : whether tiles may be absent
+    """
     names = list(tiles.values())
     for letter, name in tiles.items():
         at = f"tiles.{letter if letter.isalnum() else shown(letter)}"
@@ -88,11 +96,11 @@ def check_letters(lines: Sequence[str], tiles: Mapping[str, str], table: str = "
     for number, line in enumerate(lines, start=1):
         for column, letter in enumerate(line, start=1):
             if letter not in tiles and letter != NOTHING:
-                guess = NOTHING if letter.isspace() else _nearest_letter(letter, tiles)
+                guess = NOTHING if letter.isspace() and holes else _nearest_letter(letter, tiles)
                 raise problem(
                     "unknown",
                     f"{shown(letter)} in line {number}, column {column}",
-                    f'one of {", ".join(tiles)}, or "{NOTHING}" where there is no plate',
+                    f"one of {', '.join(tiles)}" + f', or "{NOTHING}" where there is no plate' * holes,
                     f"{table} does not explain this letter",
                     f'write "{guess}"' if guess else f'add {letter} = "..." to {table}',
                     at="map",

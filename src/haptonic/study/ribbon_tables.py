@@ -62,7 +62,7 @@ class RibbonSettings(DirectionSettings):
     @field_validator("map")
     @classmethod
     def _lines(cls, text: str) -> str:
-        text = drawn(text)
+        text = drawn(text, holes=False)
         lines = text.split()
         most = MOST_COLUMNS if len(lines) == 1 else MOST_CELLS
         if NOTHING in text or len(lines) * len(lines[0]) > most:
@@ -79,7 +79,7 @@ class RibbonSettings(DirectionSettings):
     def __post_init__(self) -> None:
         ascending(self.lowest, self.highest, "range")
         super().__post_init__()
-        check_letters(self.lines, self.tiles, TABLE)
+        check_letters(self.lines, self.tiles, TABLE, holes=False)
         if self.rows is not None and len(self.lines) > 1:
             raise problem(
                 "conflict",

@@ -13,6 +13,7 @@ from haptonic.cli.listing import pairs
 from haptonic.names import counted
 from haptonic.paths import target
 from haptonic.verification import (
+    Case,
     cases,
     compare_case,
     comparison_table,
@@ -47,8 +48,8 @@ def run(names: Names = None, listing: Listing = False, page: Page = None, json: 
     with speaking(json, kept="computed cases are stored; run the same command to continue") as voice:
         chosen = cases(names or ())
         if listing:
-            pairs(voice, {case.id: f"{case.title} ({case.kind}; {case.source})" for case in chosen})
-            voice.write("`haptonic new CASE FILE` copies the study of a case.")
+            pairs(voice, {case.id: _described(case) for case in chosen})
+            voice.write("`haptonic new CASE FILE` copies the study of a case; a study's name does, too.")
             voice.answer({"cases": [case.model_dump() for case in chosen]})
             return
         folder = None if page is None else target(page, "--page")
@@ -71,3 +72,9 @@ def run(names: Names = None, listing: Listing = False, page: Page = None, json: 
         voice.answer({"comparisons": list(map(plain_comparison, comparisons)), "failed": failed})
         if failed:
             raise SystemExit(1)
+
+
+def _described(case: Case) -> str:
+    """Title, kind and source of a case, and its study if that has another name."""
+    study = "" if case.study == case.id else f"; study {case.study}"
+    return f"{case.title} ({case.kind}; {case.source}{study})"
