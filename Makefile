@@ -10,22 +10,25 @@ reproduce: $(VENV)/ready
 	$(BIN)/haptonic reproduce studies/touchpad.toml --out results/touchpad-report --workers $(CORES) --overwrite
 
 # Compiled modules are kept even where the machine keeps none: each start of Python then takes 1 s and not 3 s.
+# One process more than cores: tests of pages wait often.
 test: $(VENV)/ready-test
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
 	$(BIN)/mypy
-	PYTHONDONTWRITEBYTECODE= OMP_NUM_THREADS=1 $(BIN)/pytest -n $(CORES) --dist worksteal -m "not nightly"
+	PYTHONDONTWRITEBYTECODE= OMP_NUM_THREADS=1 $(BIN)/pytest -n $$(($(CORES) + 1)) --dist worksteal -m "not nightly"
 
 # The programs of the interactive pages, from web/ into the package; only for changes of web/, and with Node.
 web: web/node_modules/ready
 	cd web && npm run --silent check && npm run --silent build
 
 # The gallery's cells run as in the documentation, with what it needs. A run that was stopped goes on where it
-# ended, unless another commit is checked out or a file is changed.
+# ended, unless another commit is checked out or a file is changed. Tests of a file run one after the other: two
+# drawn designs at once may need more memory than there is.
 NIGHT = .nightly-$(shell git rev-parse --short HEAD)
 nightly: $(VENV)/ready-test $(VENV)/ready-docs
 	git diff --quiet HEAD || rm -f $(NIGHT)
-	OMP_NUM_THREADS=$(CORES) $(BIN)/pytest -m "nightly or hypothesis" --hypothesis-profile=anew --continued $(NIGHT)
+	OMP_NUM_THREADS=1 $(BIN)/pytest -n $(CORES) --dist loadfile -m "nightly or hypothesis" --hypothesis-profile=anew \
+		--continued $(NIGHT)
 
 # A selection of the tests with the oldest packages that pyproject.toml allows; the pages of the reference are written
 # with the newest, so their test is left out.

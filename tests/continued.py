@@ -15,14 +15,17 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 
 def pytest_configure(config: pytest.Config) -> None:
     if (path := config.getoption(OPTION)) is not None:
-        config.pluginmanager.register(Continued(path))
+        config.pluginmanager.register(Continued(path, writes=not hasattr(config, "workerinput")))
 
 
 class Continued:
-    """Tests that passed, one a line of a file; a run after all have passed begins anew."""
+    """Tests that passed, one a line of a file; a run after all have passed begins anew.
 
-    def __init__(self, path: Path) -> None:
-        self.path = path
+    writes : False in a worker process, whose results the main process receives
+    """
+
+    def __init__(self, path: Path, *, writes: bool) -> None:
+        self.path, self.writes = path, writes
 
     def pytest_collection_modifyitems(self, config: pytest.Config, items: list[pytest.Item]) -> None:
         passed = set(self.path.read_text("utf-8").splitlines()) if self.path.exists() else set()
@@ -34,6 +37,6 @@ class Continued:
         items[:] = left
 
     def pytest_runtest_logreport(self, report: pytest.TestReport) -> None:
-        if report.when == "call" and report.passed:
+        if self.writes and report.when == "call" and report.passed:
             with self.path.open("a", encoding="utf-8") as file:
                 file.write(f"{report.nodeid}\n")

@@ -260,6 +260,7 @@ class TestIdentities:
         assert many.frequency[3:] == pytest.approx(expected[3:], rel=4e-3)
 
 
+@pytest.mark.nightly
 def test_the_trace_resolves_stress_of_an_interface_near_the_side():
     disc = Disc(6.1 * MM, material=replace(STEEL, youngs_modulus=411e9), draft=0.15)
     near = UnitCell(Lattice.square(PITCH), 5 * MM, ALUMINIUM, disc=(disc,))

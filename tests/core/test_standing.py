@@ -5,6 +5,7 @@ import pytest
 import scipy.linalg as la
 from strategies import ALUMINIUM
 
+from daily import daily
 from haptonic.bloch import Resolution
 from haptonic.bloch.centred import lattice_pencil
 from haptonic.bloch.pencil import eigenpairs, hertz
@@ -84,7 +85,7 @@ def test_a_tile_without_opposite_sides_starts_from_its_free_boundary():
     assert np.abs(motions[3:]).max() < 1e-12
 
 
-@pytest.mark.parametrize(("diameter", "thickness"), [(9.5, 4.0), (7.0, 4.0), (3.0, 8.0)])
+@pytest.mark.parametrize(("diameter", "thickness"), daily([(9.5, 4.0), (7.0, 4.0), (3.0, 8.0)], (3.0, 8.0)))
 def test_three_blocks_suffice_around_holes(diameter, thickness):
     """Blocks that start from motions of a free boundary omit up to 2e-3 here."""
     hole = Disc(diameter * MM, empty=True)

@@ -5,6 +5,7 @@ import pytest
 from numpy.polynomial import legendre
 from strategies import ALUMINIUM, reference_cell
 
+from daily import daily
 from haptonic.bloch import BlochModel, Resolution
 from haptonic.bloch.pencil import Periodic, bloch_pencil, eigenpairs
 from haptonic.cell import Disc, Pillar, UnitCell, mesh_cell
@@ -81,10 +82,9 @@ def energies(tile, mesh, fields):
     return totals
 
 
-@pytest.mark.parametrize(
-    "cell", [HOLE, COATED, DRAFTED, TURNED], ids=["hole", "coated", "square", "triangular"]
-)
-def test_forms_give_the_energies_of_lifted_modes(cell):
+@pytest.mark.parametrize("name", daily(["hole", "coated", "square", "triangular"], "hole", "square"))
+def test_forms_give_the_energies_of_lifted_modes(name):
+    cell = {"hole": HOLE, "coated": COATED, "square": DRAFTED, "triangular": TURNED}[name]
     tiling = Tiling.condensed(cell, Resolution(3, 0).plans(cell), 2, 10, measured=False)
     pencil = bloch_pencil(tiling)
     _, modes = eigenpairs(pencil, KAPPA, 6)
@@ -151,8 +151,9 @@ def test_smooth_energies_that_do_not_fall_are_missing_as_a_whole():
     assert missing_energy(ones, ones, 100 * ones) == pytest.approx(1.01)
 
 
-@pytest.mark.parametrize("cell", [reference_cell(), HOLE, COATED], ids=["pillar", "hole", "coated"])
-def test_estimates_bound_the_distance_to_a_finer_mesh(cell):
+@pytest.mark.parametrize("name", daily(["pillar", "hole", "coated"], "pillar", "hole"))
+def test_estimates_bound_the_distance_to_a_finer_mesh(name):
+    cell = {"pillar": reference_cell(), "hole": HOLE, "coated": COATED}[name]
     coarse, fine = (BlochModel.of(cell, Resolution(order, 1, 3, 24), 8, measured=False) for order in (3, 4))
     ratios = []
     for kappa in (KAPPA, np.array([np.pi, 0.4])):

@@ -65,7 +65,7 @@ def frequencies(cell, plans):
     return np.array([hertz(eigenpairs(pencil, kappa, 10)[0]) for kappa in KAPPA])
 
 
-@pytest.mark.parametrize("name", daily(CELLS, "square", "cross"))
+@pytest.mark.parametrize("name", daily(CELLS, "square"))
 def test_fewer_places_on_the_rim_change_frequencies_by_no_more_than_is_stated(monkeypatch, name):
     cell, order = CELLS[name], 3
     plans = Resolution(order, 1).plans(cell)
@@ -146,7 +146,7 @@ THICK = {
 }
 
 
-@pytest.mark.parametrize("name", daily(THICK, "pillar", "countersunk hole"))
+@pytest.mark.parametrize("name", daily(THICK, "pillar"))
 def test_more_levels_on_the_rim_of_a_thick_plate_change_less_than_the_estimate(name):
     cell, resolution = THICK[name], Resolution(3, 1, 3, 24)
     (plan,) = resolution.plans(cell)

@@ -8,8 +8,10 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.text import Text
 from seeing import artists
 
+from haptonic import plots
 from haptonic.plots import style
 from haptonic.plots.labels import label_right
+from simulated import reference_bands
 
 
 def test_no_leader_crosses_the_text_of_another_name():
@@ -45,3 +47,14 @@ def test_names_stay_apart_when_the_layout_makes_the_axes_lower():
         FigureCanvasAgg(figure).draw()
         first, second = (Text.get_window_extent(label) for label in artists(figure, "label right"))
     assert not first.overlaps(second)
+
+
+def test_names_of_two_gaps_of_a_density_of_states_are_on_lines_of_their_own():
+    bands = reference_bands()
+    bands["gap_complete"][:2] = True
+    with style.styled():
+        figure = plots.density_of_states(bands)
+        FigureCanvasAgg(figure).draw()
+        names = [Text.get_window_extent(name) for name in artists(figure, "name above")]
+    assert len(names) > 1
+    assert not any(first.overlaps(second) for first, second in permutations(names, 2))

@@ -111,7 +111,8 @@ class DirectionSettings:
 
     along: Along = setting(  # noqa: RUF009 - a declaration for the described tables
         (0.0, 1.0),
-        "Period in numbers of the lattice's two translations; [0, 1] is along y in rectangles.",
+        "Period in numbers of the lattice's two translations; [0, 1] is along y in rectangles. A "
+        "ribbon or rows lie along it; waves of `layers` cross the rows.",
         title="Direction",
     )
 

@@ -148,13 +148,14 @@ def density_of_states(dataset: xr.Dataset, *, ax: Axes | None = None) -> Figure:
     whole = float(dataset["zone_frequency"][:, -1].min()) / 1e3
     axes.set_xlim(0, end)
     axes.set_ylim(0, 1.08 * density.max())
-    gaps = complete_gaps(dataset)
-    for lower, upper, lower_error, upper_error in gaps:
+    names = []
+    for lower, upper, lower_error, upper_error in complete_gaps(dataset):
         axes.axvspan(
             lower / 1e3, upper / 1e3, facecolor=style.GAP, edgecolor="none", zorder=0, gid="gap",
         )  # fmt: skip
         text = f"complete gap {band_text(lower, lower_error, upper, upper_error)}"
-        above(axes, [(0.5 * (lower + upper) / 1e3, text, style.GAP_EDGE)])
+        names.append((0.5 * (lower + upper) / 1e3, text, style.GAP_EDGE))
+    above(axes, names)
     axes.axvspan(whole, end, facecolor=style.BEYOND, edgecolor="none", zorder=0, gid="beyond",
                  label="states of bands that were not computed are missing")  # fmt: skip
     axes.stairs(density, edges, fill=True, color=style.SKY, alpha=0.55, lw=0, zorder=2)
