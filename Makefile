@@ -10,12 +10,11 @@ reproduce: $(VENV)/ready
 	$(BIN)/haptonic reproduce studies/touchpad.toml --out results/touchpad-report --workers $(CORES) --overwrite
 
 # Compiled modules are kept even where the machine keeps none: each start of Python then takes 1 s and not 3 s.
-# One process more than cores: tests of pages wait often.
 test: $(VENV)/ready-test
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
 	$(BIN)/mypy
-	PYTHONDONTWRITEBYTECODE= OMP_NUM_THREADS=1 $(BIN)/pytest -n $$(($(CORES) + 1)) --dist worksteal -m "not nightly"
+	PYTHONDONTWRITEBYTECODE= OMP_NUM_THREADS=1 $(BIN)/pytest -n $(CORES) --dist worksteal -m "not nightly"
 
 # The programs of the interactive pages, from web/ into the package; only for changes of web/, and with Node.
 web: web/node_modules/ready

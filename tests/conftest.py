@@ -47,12 +47,6 @@ def _forget_what_tests_shared(request: pytest.FixtureRequest) -> Iterator[None]:
             clear()
 
 
-def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Begin with the files of pages: their tests wait often, and other workers compute meanwhile."""
-    of_pages = {item.path for item in items if "browser" in getattr(item, "fixturenames", ())}
-    items.sort(key=lambda item: item.path not in of_pages)
-
-
 @pytest.fixture(scope="module")
 def browser() -> Iterator[object]:
     """A headless browser; see `browser.page_at`."""

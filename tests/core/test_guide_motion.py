@@ -21,7 +21,7 @@ BEAM = np.array([22.373, 61.673])  # (k w)^2 of a beam with free ends: two nodal
 def motions(ribbon, resolution, kappa, low, high):
     model = RibbonModel.of(ribbon, resolution)
     modes = model.solve(kappa, low, high)
-    return modes.frequency, *GuideMotion.of(model).harmonics(modes)
+    return modes.frequency, *GuideMotion(model).harmonics(modes)
 
 
 @pytest.mark.parametrize("ribbon", [Ribbon((WIDE,)), Ribbon((NARROW,) * 3)], ids=["one wide", "three"])

@@ -22,7 +22,7 @@ from haptonic.bloch.model import BlochModel, best_model, bloch_model, candidate_
 from haptonic.bloch.resolution import LEVELS, Resolution
 from haptonic.bloch.settings import BandSettings, MeshSettings
 from haptonic.bloch.truncation import TRUSTED_TRUNCATION, Interior, largest_truncation, reach_truncation
-from haptonic.cell import Disc, Pillar, UnitCell
+from haptonic.cell import Disc, Pillar, Site, UnitCell
 from haptonic.errors import GeometryError, HaptonicError, ResourceError
 from haptonic.lattice import Lattice
 from haptonic.materials import material
@@ -464,3 +464,14 @@ def test_an_interior_that_nearly_fails_is_wider_on_the_next_mesh(monkeypatch):
     first, *_ = blocks[0.3]
     assert blocks[0.3] == [first, first]
     assert blocks[0.7][0] == first < blocks[0.7][1]
+
+
+def test_a_site_of_plain_plate_does_not_limit_the_first_mesh():
+    """Cubic elements there had an estimated error of 7.5 %, of which 0.1 % was true."""
+    empty = (Site(pillar=Pillar(1.75e-3, 5e-3)), Site())
+    cell = UnitCell(Lattice(lattice="honeycomb", pitch=12e-3), 1.5e-3, ALUMINIUM, site=empty)
+    first, finer = (BlochModel.of(cell, Resolution(order, 1), 8, measured=False) for order in (3, 4))
+    assert first.worst_error < 8e-3
+    for kappa in KAPPA[[0, 2]]:
+        solution = first.solve(kappa)
+        assert (np.abs(solution.frequency - finer.solve(kappa).frequency) <= solution.error)[3:].all()

@@ -142,7 +142,7 @@ def test_the_prototypes_guide_holds_one_mode_without_nodal_lines_at_17_intervals
     assert modes.energy.sum(axis=(1, 2)) == pytest.approx([1.0], rel=1e-9), "unit mass"
     assert share > 0.95
     assert edges < 1e-4
-    wavenumber, across = GuideMotion.of(model).harmonics(modes)
+    wavenumber, across = GuideMotion(model).harmonics(modes)
     assert wavenumber == pytest.approx([17.5 * np.pi / (20 * 7 * MM)], rel=1e-9)
     assert across == pytest.approx([0.0])
 

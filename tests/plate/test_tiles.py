@@ -27,7 +27,7 @@ ORDERS, HIGHEST = TraceOrders(3, 2), 60e3
 PLAIN = UnitCell(Lattice.rectangular(PITCH, 5e-3), THICKNESS, ALUMINIUM)
 CELLS = {
     "lattice": (CELL, MeshPlan.suited(CELL, 2, 0), ((PITCH,), (PITCH,))),
-    "plain": (PLAIN, MeshPlan.suited(PLAIN, 3, 0), ((PITCH,), (5e-3,))),
+    "plain": (PLAIN, replace(MeshPlan.suited(PLAIN, 3, 0), outward=3, upward=3), ((PITCH,), (5e-3,))),
 }
 X, Y = (0.0, 7e-3, 14e-3), (0.0, 7e-3)
 PATCH = replace(glued((7.5e-3, 3.2e-3), (9e-3, 4e-3, 0.7e-3)))

@@ -26,7 +26,7 @@ def ribbon_dataset(
     modes_by_phase : modes at each wavevector; bulk : (crystals, wavevectors, bands, 2) Hz
     rows : length in cells of a guide with free ends, or None
     """
-    ribbon, motion = model.ribbon, GuideMotion.of(model)
+    ribbon, motion = model.ribbon, GuideMotion(model)
     pieces = []
     for number, modes in enumerate(modes_by_phase):
         share = modes.energy / modes.energy.sum(axis=(1, 2), keepdims=True)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Self
+from functools import cached_property
 
 import numpy as np
 
@@ -96,23 +96,23 @@ class GuideMotion:
     A mode is decomposed into ``exp(i (kappa + 2 pi h) y / period)`` along the ribbon.
     """
 
-    ribbon: Ribbon
-    face: FlatFace
-    grid: FaceGrid
+    model: RibbonModel
 
-    @classmethod
-    def of(cls, model: RibbonModel) -> Self:
-        """Make the grid, with several points in each column."""
-        ribbon = model.ribbon
-        face = FlatFace.of(model.fine.tiling, ribbon.turn)
+    @cached_property
+    def face(self) -> FlatFace:
+        return FlatFace.of(self.model.fine.tiling, self.model.ribbon.turn)
+
+    @cached_property
+    def grid(self) -> FaceGrid:
+        """Grid with several points in each column."""
+        ribbon, position = self.model.ribbon, self.face.position
         carrying = np.flatnonzero(ribbon.guide[0] | (ribbon.kind == "strip"))  # a wave of a strip moves all
         middle, width = ((values @ ribbon.turn.T)[carrying, 0] for values in (ribbon.origins, ribbon.steps))
         counts = np.ceil(STEPS * np.maximum(width / ribbon.period, 1.0)).astype(int)
         columns = zip(middle - 0.5 * width, width, counts, strict=True)
         across = np.concatenate([middles(*column) for column in columns])
-        along = middles(face.position[:, 1].min(), ribbon.period, STEPS)
-        way = np.array([[0.0, ribbon.period]])
-        return cls(ribbon, face, FaceGrid.of(across, along, face.position, face.triangles, way))
+        along = middles(position[:, 1].min(), ribbon.period, STEPS)
+        return FaceGrid.of(across, along, position, self.face.triangles, np.array([[0.0, ribbon.period]]))
 
     def harmonics(self, modes: RibbonModes) -> tuple[Array, Array]:
         """Wavenumbers (k,) rad/m along the guide, and (k,) nodal lines of the normal motion across it.
@@ -120,18 +120,18 @@ class GuideMotion:
         Both are those of the harmonic with the largest amplitude. NaN for several lines of cells, because a
         guide that varies along the ribbon has no wavenumber; lines only of a plain guide's normal motion.
         """
-        count = len(modes.frequency)
+        count, ribbon = len(modes.frequency), self.model.ribbon
         wavenumber, lines = np.full((2, count), np.nan)
-        if self.ribbon.more or not count:
+        if ribbon.more or not count:
             return wavenumber, lines
         motion = self.face.motion(modes.fields).reshape(-1, 3 * count)
         on_grid = self.grid.values(motion, np.array([1j * modes.kappa])).reshape(3, count, -1, STEPS)
         phases = modes.kappa + 2 * np.pi * HARMONICS
-        amplitude = on_grid @ np.exp(-1j * np.outer(self.grid.along / self.ribbon.period, phases))
+        amplitude = on_grid @ np.exp(-1j * np.outer(self.grid.along / ribbon.period, phases))
         strength = (np.abs(amplitude) ** 2).sum(axis=2)  # (3, k, harmonics)
         largest = strength.sum(axis=0).argmax(axis=1)
-        wavenumber = np.abs(phases[largest]) / self.ribbon.period
-        if self.ribbon.kind == "guide":
+        wavenumber = np.abs(phases[largest]) / ribbon.period
+        if ribbon.kind == "guide":
             for mode, harmonic in enumerate(largest):
                 of_mode = strength[:, mode, harmonic]
                 if of_mode[2] > INPLANE * of_mode.sum():

@@ -157,29 +157,29 @@ class MeshPlan:
         Around the pillar an element spans a quarter turn and gets two orders more, and still more if a neck
         between round pillars that nearly touch is a small part of it. Away from the edge, order 3 has quartic
         elements: cubic ones are too stiff along a pillar that bends and across the plate beside it, by more
-        than all other errors together. With five orders instead of six around it, the error of the tenth band
-        of every third design was 0.7 to 3 %; with six 0.2 to 0.5 %. On a thin plate elements have one order
-        more, because low orders lock. Along a pillar that is not a prism, and therefore is meshed to its top,
-        all elements get `ALONG_MORE` orders more, because bending of a slender pillar has the largest error
-        there.
+        than all other errors together; the same holds for plain plate beside tiles with pillars. With five
+        orders instead of six around it, the error of the tenth band of every third design was 0.7 to 3 %;
+        with six 0.2 to 0.5 %. On a thin plate elements have one order more, because low orders lock. Along a
+        pillar that is not a prism, and therefore is meshed to its top, all elements get `ALONG_MORE` orders
+        more, because bending of a slender pillar has the largest error there.
         """
         shorter = orders_for_bands(cell, bands) if bands else 0.0
         more = math.ceil(shorter - ROUNDING)
         if cell.meshed_stack is not None:
             return cls._of_stack(cell, cell.meshed_stack, order, foot_rings, shorter)
+        smooth = 4 if order == 3 else order
         if cell.pillar is None:
             sheet = cell.is_sheet  # its error was 1.5 % in order 4, and 0.6 % in one more
             around = round((order + 2) * SHEET_WAVES) if sheet else order + 2
             around, blocks = divided_order(around + more + bool(more))
-            outward = (order + 3 if sheet else order) + more // 2
+            outward = (order + 3 if sheet else smooth) + more // 2
             # For a plate as thick as half its pitch, with Poisson ratio 0.44, the error was 2.8e-2 with order
             # 3 through it, 6e-4 with 4, 2.4e-4 with 5 and nothing with 6.
-            upward = order + order % 2 if order > 4 else order
+            upward = order + order % 2 if order > 4 else smooth
             return cls(around, 0, 0, blocks=blocks, outward=outward, upward=upward, thin=order)
         if cell.is_sheet:
             return cls._of_sheet(cell, cell.pillar, order, foot_rings, shorter)
         neck = (THIN_NECK if cell.is_thin else WIDE_NECK) / neck_of(cell, cell.pillar)
-        smooth = 4 if order == 3 else order
         turn = (smooth + 2) * max(1.0, neck) * (SHORT_WAVES if cell.is_thin else 1.0)
         around, blocks = around_quarter(turn, more)
         layers = layers_along(cell.pillar)
