@@ -34,8 +34,8 @@ from haptonic.units import format_quantity
 
 BESIDE = 0.15  # search range on either side of a gap, relative to its width
 COLUMN = 0.17  # s per column of a ribbon with one tile and wavevector
-COARSER = "a smaller accuracy in [bands] refines it"
 BULK = 0.2  # s per wavevector of a crystal
+COARSER = "a smaller accuracy in [bands] refines it"
 
 
 def _need_ribbon(study: Description) -> RibbonSettings:
