@@ -113,10 +113,11 @@ def accuracy_of(
 ) -> dict[str, Any]:
     """Attributes on the accuracy of the modes and, if there are bulk bands, of the models that give these."""
     worst = max(bests, key=lambda best: best.model.worst_error)
-    own = float((modes["frequency_error"] / modes["frequency"]).max()) if modes.sizes["mode"] else 0.0
+    largest = float((modes["frequency_error"] / modes["frequency"]).max()) if modes.sizes["mode"] else 0.0
     attributes = worst.attributes(settings)
-    attributes["largest_error"] = max(own, worst.model.worst_error if bulk.size else 0.0)
-    if own > settings.accuracy and worst.lack is None and not settings.resolution:
+    attributes["largest_error"] = max(largest, worst.model.worst_error if bulk.size else 0.0)
+    is_finest = worst.lack or settings.resolution  # of the budget, or as given
+    if largest > settings.accuracy and not is_finest:
         attributes |= {"stopped_by": "ribbon", "stopped_why": COARSER}
     return attributes
 

@@ -308,9 +308,8 @@ def partial_gaps(lattice: Lattice, diagram: Diagram, complete: tuple[Gap, ...]) 
     path, gaps = diagram.path, []
     wavevector, slope = lattice.wavevector(path.kappa), np.nan_to_num(diagram.velocity) / (2 * np.pi)
 
-    def excess(start: int, stop: int, band: int, sign: int) -> float:
-        """Largest excess of a band over its samples, Hz: of its highest (sign = +1) or lowest one (-1)."""
-        inside = slice(start, stop + 1)
+    def excess(inside: slice, band: int, sign: int) -> float:
+        """Largest excess (Hz) of a band over its samples on a segment: above (sign = +1) or below (-1)."""
         value = sign * diagram.frequency[inside, band]
         corners, at_corners, slope_there = (
             np.stack([samples[:-1], samples[1:]], axis=1)
@@ -331,8 +330,8 @@ def partial_gaps(lattice: Lattice, diagram: Diagram, complete: tuple[Gap, ...]) 
                 between=(band + 1, band + 2),
                 lower=lower,
                 upper=upper,
-                lower_error=float(error[low, band]) + excess(start, stop, band, +1),
-                upper_error=float(error[high, band + 1]) + excess(start, stop, band + 1, -1),
+                lower_error=float(error[low, band]) + excess(inside, band, +1),
+                upper_error=float(error[high, band + 1]) + excess(inside, band + 1, -1),
                 lower_kappa=_phases(path.kappa[inside][low]),
                 upper_kappa=_phases(path.kappa[inside][high]),
                 complete=False,

@@ -127,7 +127,7 @@ def reduced(
     and to the softest motions of the boundary enter Omega.
 
     starts : (b, s) motions of the boundary, orthonormal in its mass, from whose responses the Krylov space
-        starts; by default, or if there are none, the softest
+        starts; by default, and without columns, the softest
     """
     body, static, stiffness, mass = response.body, response.static, response.stiffness, response.mass
     # a motion b is W (M W)^T b for all orthonormal motions W

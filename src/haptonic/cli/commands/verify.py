@@ -49,7 +49,9 @@ def run(names: Names = None, listing: Listing = False, page: Page = None, json: 
         chosen = cases(names or ())
         if listing:
             pairs(voice, {case.id: _described(case) for case in chosen})
-            voice.write("`haptonic new CASE FILE` copies the study of a case; a study's name does, too.")
+            voice.write(
+                "`haptonic new STUDY FILE` copies the study of a case; most have the name of the case."
+            )
             voice.answer({"cases": [case.model_dump() for case in chosen]})
             return
         folder = None if page is None else target(page, "--page")
