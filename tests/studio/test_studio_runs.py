@@ -9,10 +9,12 @@ import time
 import tomllib
 import zipfile
 from dataclasses import replace
+from pathlib import Path
 
 import pytest
 from served import PATIENCE, Served, served
 
+from haptonic.atomic import write_atomically
 from haptonic.materials import material
 from haptonic.studio import jobs
 from haptonic.studio.archive import Archive
@@ -269,6 +271,25 @@ def test_runs_of_the_command_line_are_listed_opened_and_compared(tmp_path):
         compared = studio.post("differences", first=1, second=3).json
         assert "14.2 mm" in json.dumps(compared["tables"][0])
         assert start(studio, "bands", QUICK_CELL) == 4
+
+
+def test_a_run_that_is_being_written_is_not_listed(tmp_path):
+    writing, watching = Archive(tmp_path), Archive(tmp_path)
+    job = Job.ordered(Order(1, QUICK_CELL, tmp_path, "a.toml", "bands", {}))
+    job.answer = {"title": "a.toml"}
+    job.finish("done")
+    writing.keep(job)
+    assert watching.refresh()
+    (file,) = watching.folder.glob("*.zip")
+
+    def write(draft: Path) -> None:
+        draft.write_bytes(file.read_bytes())
+        assert not watching.refresh()
+        assert list(watching.briefs) == [1]
+
+    write_atomically(file.with_name("2-b.zip"), write)
+    assert watching.refresh()
+    assert list(watching.briefs) == [1, 2]
 
 
 def test_a_run_with_a_number_that_is_taken_has_the_next_one(tmp_path):

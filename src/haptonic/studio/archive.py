@@ -29,6 +29,7 @@ from haptonic.studio.job import Job
 from haptonic.studio.order import Order
 
 FORM = 2  # of the files; those of another form are left alone
+FILES = "[0-9]*.zip"  # pattern of their names, which begin with a number; that of a draft begins with a point
 BRIEF, WHOLE, VIEW = "brief.json", "whole.json", "view"
 APART = ("view", "order", "first", "knobs", "previews")  # with files of their own, or not kept
 ARCHIVED = {"archived": True, "first": 0, "turns": False, "previews": {}}  # facts that are not kept
@@ -50,7 +51,7 @@ class Archive:
         self.studies, self.most_runs, self.most_bytes = studies, most_runs, most_bytes
         self.briefs: dict[int, dict[str, Any]] = {}
         self._paths: dict[int, Path] = {}
-        self._changed = 0.0
+        self._times: dict[Path, float] = {}
         self.refresh()
 
     def refresh(self, taken: Container[int] = ()) -> bool:
@@ -59,14 +60,14 @@ class Archive:
         taken : numbers of jobs that are not written yet; a new run with one of them, or with that of another
             run, has the next free number here
         """
-        if (changed := _time(self.folder)) == self._changed:
+        there = {path: _time(path) for path in self.folder.glob(FILES)}
+        if there == self._times:
             return False
-        self._changed, before = changed, dict(self._paths)
-        there = sorted(self.folder.glob("*.zip"), key=_time)
+        self._times, before = there, dict(self._paths)
         for number in [number for number, path in self._paths.items() if path not in there]:
             del self.briefs[number], self._paths[number]
         known = set(self._paths.values())
-        for path in there:
+        for path in sorted(there, key=there.__getitem__):
             if path not in known:
                 with suppress(*FAULTS), zipfile.ZipFile(path) as parts:
                     self._add(path, json_from(parts.read(BRIEF).decode()), taken)
