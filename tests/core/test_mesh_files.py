@@ -84,7 +84,9 @@ class TestFrequencies:
         places, nodes, _ = PILLAR
         undivided = cell_of(write(tmp_path / "one.msh", places, nodes, {"all": np.arange(len(nodes))}))
         divided = cell_of(write(tmp_path / "two.msh", *PILLAR), pillar=ALUMINIUM)
-        assert frequencies(divided) == pytest.approx(frequencies(undivided), rel=1e-9)
+        # so many interior modes that their random start, which depends on the order of elements, is unimportant
+        many = replace(COARSE, steps=5)
+        assert frequencies(divided, many) == pytest.approx(frequencies(undivided, many), rel=1e-9)
 
     @pytest.mark.nightly
     @pytest.mark.parametrize("lattice", [SQUARE, TRIANGULAR], ids=["square", "triangular"])
