@@ -22,8 +22,8 @@ import psutil
 from record import ROOT, write
 
 sys.path.insert(0, str(ROOT / "tests"))
+from haptonic.bloch.candidates import best_model
 from haptonic.bloch.mesh_levels import MeshLimits, expected_level, started
-from haptonic.bloch.model import best_model
 from haptonic.bloch.resolution import LEVELS
 from haptonic.errors import HaptonicError
 from haptonic.parallel import one_thread

@@ -38,8 +38,8 @@ from truth import (
     wavevectors,
 )
 
+from haptonic.bloch.candidates import bloch_model
 from haptonic.bloch.mesh_levels import MeshLimits, first_level, started
-from haptonic.bloch.model import bloch_model
 from haptonic.bloch.settings import BandSettings
 from haptonic.bloch.truncation import REST
 from haptonic.errors import HaptonicError

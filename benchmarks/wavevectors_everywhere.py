@@ -18,8 +18,9 @@ import numpy as np
 from record import ROOT, STUDY, write
 from threadpoolctl import threadpool_limits
 
+from haptonic.bloch.candidates import bloch_model
 from haptonic.bloch.centred import lattice_pencil
-from haptonic.bloch.model import BlochModel, bloch_model
+from haptonic.bloch.model import BlochModel
 from haptonic.bloch.pencil import eigenpairs, hertz
 from haptonic.bloch.representative import BESIDE
 from haptonic.bloch.resolution import Resolution

@@ -3,8 +3,9 @@
 import numpy as np
 from numpy.typing import NDArray
 
+from haptonic.bloch.candidates import bloch_model
 from haptonic.bloch.gaps import complete_gaps
-from haptonic.bloch.model import BlochModel, bloch_model
+from haptonic.bloch.model import BlochModel
 from haptonic.bloch.settings import BandSettings
 from haptonic.cell import UnitCell
 from haptonic.later import xarray as xr

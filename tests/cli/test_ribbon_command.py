@@ -8,7 +8,7 @@ import pytest
 import xarray as xr
 
 from haptonic.analyses.ribbon import accuracy_of
-from haptonic.bloch.model import BestModel
+from haptonic.bloch.candidates import BestModel
 from haptonic.bloch.settings import BandSettings
 from haptonic.results.common import accuracy_remarks
 from haptonic.results.ribbon import RibbonWaves

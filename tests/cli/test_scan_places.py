@@ -10,9 +10,9 @@ import xarray as xr
 
 from bricks import ALUMINIUM, CELLS, PITCH, THICKNESS, laid
 from haptonic.bloch import Gap
+from haptonic.bloch.candidates import bloch_model
 from haptonic.bloch.guide import strip_mode
 from haptonic.bloch.mirrors import condensed_rows
-from haptonic.bloch.model import bloch_model
 from haptonic.cell import Pillar, UnitCell
 from haptonic.lattice import Lattice
 from haptonic.plate.layout.parts import Force, Plate

@@ -10,9 +10,9 @@ from truth import KAPPA, Drawn, drawn, plain_plate, truth, wavevectors
 
 from daily import daily
 from haptonic.bloch import BlochModel, Resolution
+from haptonic.bloch.candidates import bloch_model
 from haptonic.bloch.centred import CentredPencil
 from haptonic.bloch.mesh_levels import starting_level
-from haptonic.bloch.model import bloch_model
 from haptonic.bloch.pencil import eigenpairs
 from haptonic.bloch.resolution import LEVELS
 from haptonic.bloch.settings import BandSettings

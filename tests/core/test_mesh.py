@@ -8,7 +8,7 @@ from hypothesis import given, settings, strategies as st
 from strategies import ALUMINIUM, cells, plans, reference_cell, upright_lattices
 
 from five_parts import refusing
-from haptonic.bloch.model import bloch_model
+from haptonic.bloch.candidates import bloch_model
 from haptonic.bloch.settings import BandSettings
 from haptonic.cell import HexMesh, MeshPlan, Pillar, UnitCell, mesh_cell
 from haptonic.cell.orders import PRISM_LAYER, layers_along

@@ -16,9 +16,10 @@ from hypothesis import given, settings, strategies as st
 from strategies import ALUMINIUM
 from truth import KAPPA, plain_plate
 
-from haptonic.bloch import bands_dataset, gaps_dataset, mesh_levels, model
+from haptonic.bloch import bands_dataset, candidates, gaps_dataset, mesh_levels
+from haptonic.bloch.candidates import best_model, bloch_model, candidate_models
 from haptonic.bloch.mesh_levels import MeshLimits, expected_level, first_level, started
-from haptonic.bloch.model import BlochModel, best_model, bloch_model, candidate_models
+from haptonic.bloch.model import BlochModel
 from haptonic.bloch.resolution import LEVELS, Resolution
 from haptonic.bloch.settings import BandSettings, MeshSettings
 from haptonic.bloch.truncation import TRUSTED_TRUNCATION, Interior, largest_truncation, reach_truncation
@@ -213,7 +214,7 @@ def test_a_budget_that_ends_leaves_an_answer_with_its_error_and_the_next_budget(
     asked = BandSettings(2, points=8, accuracy=1e-4)
     best = best_model(cell, asked, limits=limits)
     assert best.lack is not None
-    attributes = best.attributes(asked)
+    attributes = best.attributes(asked, best.model.worst_error)
     assert attributes["stopped_by"] == "time"
     assert attributes["largest_error"] == best.model.worst_error > 1e-4
     (remark,) = accuracy_remarks(attributes)
@@ -262,9 +263,9 @@ def test_a_dry_run_has_the_refusals_of_a_run(memory, monkeypatch):
 
 def test_bands_that_miss_the_accuracy_are_returned_with_a_remark(monkeypatch):
     """A minute of work ended in a refusal; now its errors are reported."""
-    for module in (model, mesh_levels):
+    for module in (candidates, mesh_levels):
         monkeypatch.setattr(module, "LEVELS", (Resolution(3, 0),))
-    monkeypatch.setattr(model, "first_level", lambda *_: 0)
+    monkeypatch.setattr(candidates, "first_level", lambda *_: 0)
     cell = cell_of(0.3, 0.7, 2.0)
     answer = Bands(bands_dataset(cell, BandSettings(2, points=8, accuracy=1e-3)))
     reported, data = answer.dataset.attrs["largest_error"], answer.dataset
@@ -459,7 +460,7 @@ def test_an_interior_that_nearly_fails_is_wider_on_the_next_mesh(monkeypatch):
             of_share.append(mesh.block)
             return Interior(mesh, None, share * goal, 1e5), None
 
-        monkeypatch.setattr(model, "reach_truncation", reached)
+        monkeypatch.setattr(candidates, "reach_truncation", reached)
         list(islice(candidate_models(cell, BandSettings(accuracy=5e-3)), 2))
     first, *_ = blocks[0.3]
     assert blocks[0.3] == [first, first]

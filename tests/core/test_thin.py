@@ -9,8 +9,9 @@ from hypothesis import given, settings, strategies as st
 from strategies import ALUMINIUM
 
 from haptonic.bloch import mesh_levels
+from haptonic.bloch.candidates import bloch_model
 from haptonic.bloch.mesh_levels import MeshLimits, first_level
-from haptonic.bloch.model import BlochModel, bloch_model
+from haptonic.bloch.model import BlochModel
 from haptonic.bloch.pencil import eigenpairs, hertz
 from haptonic.bloch.resolution import LEVELS, Resolution
 from haptonic.bloch.settings import BandSettings

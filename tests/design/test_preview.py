@@ -144,7 +144,7 @@ def test_the_first_curves_are_those_of_the_result():
 def test_curves_are_not_reported_before_they_are_as_accurate_as_the_study_demands(monkeypatch):
     study, early = loads(TURNED_CELL.replace("accuracy = 2e-2", "accuracy = 1e-3").partition("[mesh]")[0]), []
     # a start with the coarsest mesh, which is not accurate enough
-    monkeypatch.setattr("haptonic.bloch.model.first_level", lambda *_: 0)
+    monkeypatch.setattr("haptonic.bloch.candidates.first_level", lambda *_: 0)
     result = bands_dataset(study.cell, study.bands_settings, first=early.append)
     for first in early:
         np.testing.assert_array_equal(first["frequency"], result["frequency"])

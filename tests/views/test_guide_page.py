@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 
 from browser import STILL, advances, faults_of_layout, page_at, pixels
+from haptonic.bloch.candidates import best_model
 from haptonic.bloch.guide import Guide
 from haptonic.bloch.guide_fields import guided_field
 from haptonic.bloch.mirrors import condensed_rows
-from haptonic.bloch.model import best_model
 from haptonic.results.guides import Guides
 from haptonic.study import loads
 from haptonic.units import uncertain

@@ -6,7 +6,7 @@ import struct
 import numpy as np
 import pytest
 
-from haptonic.bloch.model import bloch_model
+from haptonic.bloch.candidates import bloch_model
 from haptonic.bloch.path_modes import path_modes
 from haptonic.bloch.tracking import diagram
 from haptonic.later import xarray as xr

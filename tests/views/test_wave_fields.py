@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 
 from browser import STILL, advances, faults_of_layout, page_at, pixels
+from haptonic.bloch.candidates import best_model
 from haptonic.bloch.evanescent import bloch_waves
 from haptonic.bloch.face_grid import FaceGrid, FlatFace, strongest
 from haptonic.bloch.mirrors import condensed_rows
-from haptonic.bloch.model import best_model
 from haptonic.bloch.row_fields import RowFields
 from haptonic.results.steps import STEPS
 from haptonic.study import loads

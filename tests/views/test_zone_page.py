@@ -8,7 +8,7 @@ import pytest
 from browser import STILL, advances, faults_of_layout, page_at, pixels
 from daily import daily
 from haptonic.bloch.bands import bands_dataset
-from haptonic.bloch.model import bloch_model
+from haptonic.bloch.candidates import bloch_model
 from haptonic.bloch.wavevectors import wavevector_at
 from haptonic.bloch.zone import ZoneModes, ZoneSurface
 from haptonic.brillouin import IrreducibleZone

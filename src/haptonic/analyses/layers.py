@@ -15,6 +15,7 @@ from haptonic.analyses.runner import Runner
 from haptonic.analyses.support import one_loss_factor
 from haptonic.arrays import Array
 from haptonic.bloch import Resolution
+from haptonic.bloch.candidates import best_model
 from haptonic.bloch.evanescent import bloch_waves
 from haptonic.bloch.gaps import gap_at, widest_gap
 from haptonic.bloch.mirrors import (
@@ -28,7 +29,6 @@ from haptonic.bloch.mirrors import (
     mirror_dataset,
     scattering_at,
 )
-from haptonic.bloch.model import best_model
 from haptonic.cell import UnitCell
 from haptonic.cell.scales import scales
 from haptonic.errors import StudyError
@@ -112,7 +112,7 @@ def compute(study: Description, options: PageOption, runner: Runner) -> Layers:
         "gap": list(gap.edges) if gap else [],
         "mesh": json.dumps(asdict(rows.plan)),
         **scales(cell),
-        **best.attributes(settings),
+        **best.attributes(settings, share),
     }
     return Layers(gap, stamped(dataset, study.inputs()), interactive=options.html)
 

@@ -14,8 +14,8 @@ from haptonic.analyses.options import PageOption
 from haptonic.analyses.runner import Runner
 from haptonic.analyses.support import every_cell
 from haptonic.arrays import Array
+from haptonic.bloch.candidates import BestModel, best_model
 from haptonic.bloch.gaps import gap_at, widest_gap
-from haptonic.bloch.model import BestModel, best_model
 from haptonic.bloch.ribbon import RibbonModel, bulk_bands
 from haptonic.bloch.ribbon_datasets import bulk_dataset, field_dataset, ribbon_dataset
 from haptonic.bloch.ribbon_fields import fields_dataset
@@ -114,12 +114,9 @@ def accuracy_of(
     """Attributes on the accuracy of the modes and, if there are bulk bands, of the models that give these."""
     worst = max(bests, key=lambda best: best.model.worst_error)
     largest = float((modes["frequency_error"] / modes["frequency"]).max()) if modes.sizes["mode"] else 0.0
-    attributes = worst.attributes(settings)
-    attributes["largest_error"] = max(largest, worst.model.worst_error if bulk.size else 0.0)
-    is_finest = worst.lack or settings.resolution  # of the budget, or as given
-    if largest > settings.accuracy and not is_finest:
-        attributes |= {"stopped_by": "ribbon", "stopped_why": COARSER}
-    return attributes
+    return worst.attributes(
+        settings, max(largest, worst.model.worst_error if bulk.size else 0.0), ("ribbon", COARSER)
+    )
 
 
 def _range(study: Description, crystals: Sequence[UnitCell], runner: Runner) -> tuple[float, float]:

@@ -15,11 +15,11 @@ from haptonic.analyses.options import PageOption, option
 from haptonic.analyses.runner import Runner
 from haptonic.analyses.support import every_cell
 from haptonic.arrays import Array
+from haptonic.bloch.candidates import best_model
 from haptonic.bloch.gaps import need_gap_at
 from haptonic.bloch.guide_fields import guides_dataset
 from haptonic.bloch.layers import plain_plate
 from haptonic.bloch.mirrors import condensed_rows
-from haptonic.bloch.model import best_model
 from haptonic.bloch.plate_waves import mirror_across
 from haptonic.bloch.settings import WaveguideSettings
 from haptonic.bloch.waveguides import closing, strip_of, strips_dataset
@@ -141,7 +141,7 @@ def compute(study: Description, options: WaveguideOptions, runner: Runner) -> Gu
         "gap": list(gap.edges),
         "mesh": json.dumps(asdict(lattice.plan)),
         **scales(cell),
-        **best.attributes(settings),
+        **best.attributes(settings, share),
     }
     return Guides(
         carrier=carrier,

@@ -10,11 +10,12 @@ from dataclasses import asdict, dataclass
 import numpy as np
 
 from haptonic.arrays import Array
+from haptonic.bloch.candidates import best_model, candidate_models
 from haptonic.bloch.character import NAMES
 from haptonic.bloch.gap_datasets import dataset_of_gaps
 from haptonic.bloch.gaps import Gap, complete_gaps, listed_gaps
 from haptonic.bloch.mesh_levels import Lack
-from haptonic.bloch.model import BlochModel, Solution, best_model, candidate_models
+from haptonic.bloch.model import BlochModel, Solution
 from haptonic.bloch.path_modes import path_modes
 from haptonic.bloch.pencil import Periodic
 from haptonic.bloch.settings import BandSettings
@@ -129,13 +130,8 @@ def bands_dataset(
         "modes_at": name,
         "character_names": json.dumps(NAMES),
         **scales(cell),
-        **best.attributes(settings),
+        **best.attributes(settings, max(model.worst_error, _largest_error(dataset)), ("bands", CLOSE_ABOVE)),
     }
-    if "largest_error" in dataset.attrs:  # the diagram has more wavevectors than the estimate over the zone
-        largest = max(dataset.attrs["largest_error"], _largest_error(dataset))
-        dataset.attrs["largest_error"] = largest
-        if largest > settings.accuracy and best.lack is None and not settings.resolution:
-            dataset.attrs |= {"stopped_by": "bands", "stopped_why": CLOSE_ABOVE}
     return dataset
 
 

@@ -34,7 +34,7 @@ REASONS = {
 def accuracy_remarks(attributes: Mapping[str, Any]) -> list[str]:
     """Warning if the required accuracy was not reached: the largest error, the reason and advice.
 
-    attributes : of a dataset; see `haptonic.bloch.model.BestModel.attributes`
+    attributes : of a dataset; see `haptonic.bloch.candidates.BestModel.attributes`
     """
     asked, largest = attributes.get("accuracy"), attributes.get("largest_error")
     if asked is None or largest is None or largest <= asked:

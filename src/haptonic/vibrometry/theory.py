@@ -6,9 +6,9 @@ import numpy as np
 
 from haptonic.arrays import Array
 from haptonic.bloch import Gap
+from haptonic.bloch.candidates import best_model
 from haptonic.bloch.guide import Guide
 from haptonic.bloch.mirrors import condensed_rows
-from haptonic.bloch.model import best_model
 from haptonic.bloch.plate_waves import PlainPlate
 from haptonic.bloch.rows import CondensedRows, attenuation
 from haptonic.bloch.settings import BandSettings
@@ -102,7 +102,7 @@ def computed_waves(
                 modes[:, row, step] = mode.omega / (2 * np.pi), k
     waves["guided_frequency"] = ("guide", "step"), modes[0], {"units": "Hz", WORD: none_there}
     waves["guided_wavenumber"] = ("guide", "step"), modes[1], {"units": "rad/m", WORD: none_there}
-    waves.attrs |= best.attributes(settings)
+    waves.attrs |= best.attributes(settings, best.model.worst_error)
     return waves.assign_coords(
         width=("guide", [w for w, _ in widths]), along=("guide", [a for _, a in widths])
     )
