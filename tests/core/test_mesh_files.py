@@ -84,7 +84,7 @@ class TestFrequencies:
         places, nodes, _ = PILLAR
         undivided = cell_of(write(tmp_path / "one.msh", places, nodes, {"all": np.arange(len(nodes))}))
         divided = cell_of(write(tmp_path / "two.msh", *PILLAR), pillar=ALUMINIUM)
-        # so many interior modes that their random start, which depends on the order of elements, is unimportant
+        # so many interior modes that their random start, which depends on the numbering, is unimportant
         many = replace(COARSE, steps=5)
         assert frequencies(divided, many) == pytest.approx(frequencies(undivided, many), rel=1e-9)
 
