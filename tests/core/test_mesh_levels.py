@@ -223,8 +223,9 @@ def test_a_budget_that_ends_leaves_an_answer_with_its_error_and_the_next_budget(
     assert best.lack.limits.lack(cell, best.lack.mesh, best.lack.spent) is not None
     assert MeshLimits(larger, 1e15).lack(cell, best.lack.mesh, best.lack.spent) is None
     memory = best_model(cell, asked, limits=MeshLimits(1e15, first.memory(cell)))
-    assert memory.attributes(asked)["stopped_by"] == "memory"
-    assert "lack of memory" in accuracy_remarks(memory.attributes(asked))[0]
+    attributes = memory.attributes(asked, memory.model.worst_error)
+    assert attributes["stopped_by"] == "memory"
+    assert "lack of memory" in accuracy_remarks(attributes)[0]
     # who builds on gaps alone is answered as well
     monkeypatch.setattr(mesh_levels.MeshLimits, "of", lambda budget: limits)
     gaps = gaps_dataset(cell, replace(asked, count=4, accuracy=1e-6))
