@@ -188,7 +188,7 @@ class BlochModel:
         missing, _, left_out = self.fine.losses(modes, kappa)
         relative = self.fine.projection_error + self.fine.tiling.rim_error
         error = interior_error(values, left_out) + frequency * relative
-        error += error_in_hertz(missing + self.fine.rounding, frequency)
+        error += error_in_hertz(missing, frequency, self.fine.rounding)
         error = ranked(frequency, error)
         return Solution(source=source, frequency=frequency, error=error, fields=fields, modes=modes).lowest(
             count

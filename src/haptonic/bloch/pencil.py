@@ -235,18 +235,24 @@ def change_in_hertz(change: Array, frequency: Array) -> Array:
     return np.asarray(change / (8 * np.pi**2 * frequency))
 
 
-def error_in_hertz(energy: Array, frequency: Array) -> Array:
-    """Errors of frequencies, Hz, from the sizes of missing energies, (rad/s)^2.
+def error_in_hertz(missing: Array, frequency: Array, rounding: float = 0.0) -> Array:
+    """Errors of frequencies f, Hz, from energies (2 pi)^2 e that a mesh lacks, (rad/s)^2.
 
-    An exact frequency is at least ``sqrt(f^2 - e)`` for a missing energy ``(2 pi)^2 e``, or 0. Rounding may
-    make energies slightly negative.
+    The fields that a mesh lacks do no work on those that it has. Under the same forces, the energy f^2 of a
+    mode would be larger by e, and its amplitude by as much, so the exact frequency is
+    ``f / sqrt(1 + e / f^2)``. Rounding may make energies slightly negative; then it is larger.
+
+    rounding : error of f^2 itself, (rad/s)^2; with it, the frequency may be 0
     """
-    missing = np.abs(energy) / (2 * np.pi) ** 2
-    least = np.sqrt(np.maximum(frequency**2 - missing, 0.0))
-    most = np.sqrt(frequency**2 + missing)
+    lacking, rounded = np.abs(missing) / (2 * np.pi) ** 2, rounding / (2 * np.pi) ** 2
+    square = frequency**2
     # differences of squares over sums, because most errors are far smaller than their frequencies
-    below = np.divide(missing, frequency + least, where=least > 0, out=np.array(frequency, dtype=float))
-    above = np.divide(missing, most + frequency, where=missing > 0, out=np.zeros_like(most))
+    share = np.divide(lacking, square + lacking, where=lacking > 0, out=np.zeros_like(square))
+    fall = square * share + rounded
+    least = np.sqrt(np.maximum(square - fall, 0.0))
+    below = np.divide(fall, frequency + least, where=least > 0, out=np.array(frequency, dtype=float))
+    most = np.sqrt(square + lacking + rounded)
+    above = np.divide(lacking + rounded, most + frequency, where=most > 0, out=np.zeros_like(most))
     return np.asarray(np.maximum(below, above))
 
 
