@@ -26,7 +26,7 @@ from haptonic.bloch.rows import attenuation
 from haptonic.cell import Pillar, Ribbon, Site, UnitCell
 from haptonic.errors import GeometryError
 from haptonic.lattice import Lattice
-from haptonic.materials import elasticity_tensor
+from haptonic.materials import elasticity_tensor, material
 from haptonic.superelement import Tiling
 
 MM = 1e-3
@@ -118,6 +118,22 @@ def test_a_guided_wave_decays_into_the_rows_as_in_the_complex_bands():
     fall, error = decay(model, modes)
     assert fall == pytest.approx(expected, rel=0.005)
     assert 0 < error[0] < fall[0]
+
+
+@pytest.mark.parametrize("rows", [3, 5, 7])
+def test_the_error_of_a_decay_contains_the_beats_of_evanescent_waves(rows):
+    """Falls from row to row are 6 to 22 dB; three rows have two, of which one is at the edge."""
+    kappa, place = 9 * np.pi / 16, Lattice.square(10 * MM)
+    crystal = UnitCell(place, 2 * MM, ALUMINIUM, pillar=Pillar(5 * MM, 5 * MM, material=material("steel")))
+    plain = UnitCell(Lattice.rectangular(8.605 * MM, 10 * MM), 2 * MM, ALUMINIUM)
+    model = RibbonModel.of(Ribbon((crystal,) * rows + (plain,) + (crystal,) * rows), Resolution(3, 1))
+    modes = model.solve(kappa, 51.5e3, 53e3)
+    guided = int(within(modes.energy, model.ribbon.guide).argmax())
+    fall, error = (values[guided] for values in decay(model, modes))
+    tile = next(tile for tile in model.fine.tiling.tiles if tile.cell is crystal)
+    omega = 2 * np.pi * modes.frequency[guided : guided + 1]
+    expected = attenuation(single(tile), omega, np.array([kappa])).item()
+    assert abs(fall - expected) < error < expected
 
 
 def test_errors_of_velocity_and_decay_reach_those_of_a_finer_mesh():
