@@ -71,7 +71,7 @@ def test_plate_answers_one_frequency(inside, plated, monkeypatch):
     assert line["frequency_hz"] == 9e3
     assert line["solver_error"] <= 1e-3
     assert answer["origin"] == "simulated"
-    assert sum(line["dissipated_w"].values()) == pytest.approx(line["given_w"], rel=1e-4)
+    assert sum(line["dissipated_w_per_v_2"].values()) == pytest.approx(line["given_w_per_v_2"], rel=1e-4)
     assert not list(path.parent.glob("results"))
     assert "excludes the discretisation" in answer["summary"][-1]
     assert len(answer["summary"][-1]) < 180  # a terminal prints it before the table

@@ -1,5 +1,6 @@
 """The brief's limits, the tangents that a search steps along, and that a search climbs."""
 
+import json
 import math
 import re
 from dataclasses import replace
@@ -7,6 +8,7 @@ from functools import cache
 
 import numpy as np
 import pytest
+import xarray as xr
 from hypothesis import assume, given, settings, strategies as st
 
 from daily import daily
@@ -27,6 +29,7 @@ from haptonic.design.unmet import check_met
 from haptonic.errors import ResourceError, StudyError
 from haptonic.lattice import Lattice
 from haptonic.materials import IsotropicMaterial, material
+from haptonic.results.design import Design
 from haptonic.store import Store
 
 MM = 1e-3
@@ -279,7 +282,7 @@ def test_a_search_climbs_and_stays_allowed(monkeypatch):
     brief = brief_of(CELL, carrier=110e3, slenderness=2.8, tool=2.5 * MM)
     start = brief.share(CELL)
     first = best_of(brief, start)
-    visits = list(climb(brief, start, first.band, (0.0, 0.0), 5))
+    visits, _ = climb(brief, start, first.band, (0.0, 0.0), 5)
     assert visits[0].margin == pytest.approx(first.margin, abs=2e-3)
     assert len(visits) >= 3
     margins = [visit.margin for visit in visits]
@@ -292,9 +295,27 @@ def test_a_search_climbs_and_stays_allowed(monkeypatch):
         assert visit.margin == pytest.approx(room)
     assert best_of(brief, visits[-1].share).margin == pytest.approx(margins[-1], abs=2e-3)
 
-    shifted = next(climb(brief, start, first.band, (-200.0, 300.0), 1))
+    for start_of_last, most, expected in ((visits[0].share, 2, False), (visits[-1].share, 40, True)):
+        assert climb(brief, start_of_last, first.band, (0.0, 0.0), most)[1] is expected
+
+    (shifted,), _ = climb(brief, start, first.band, (-200.0, 300.0), 1)
     assert shifted.lower == pytest.approx(visits[0].lower - 200.0)
     assert shifted.upper == pytest.approx(visits[0].upper + 300.0)
+
+
+def test_a_search_that_ended_early_is_not_limited_by_the_bound_that_it_has_reached():
+    gap = Gap((6, 7), 56e3, 64e3, 100.0, 100.0, (0.0, 0.0), (1.0, 1.0), True, "all", 9)
+    held = json.dumps(["cell.thickness = 1.2 mm"])
+    for is_settled, words in (
+        (1, "The margin is limited by cell.thickness = 1.2 mm."),
+        (0, "more steps in [design] may widen it. The design has reached cell.thickness = 1.2 mm."),
+    ):
+        attributes = {"settled": is_settled, "held_back_by": held, "left_out": "[]", "carrier_hz": 60e3}
+        data = xr.Dataset({}, {"parameter": ["cell.thickness"]}, attributes)
+        data["parameter"].attrs["units"] = json.dumps(["m"])
+        summary = Design({"cell.thickness": 1.2e-3}, gap, 3.9e3, data).summary()
+        assert summary[0].endswith("with a margin of at least 3.90 kHz.")
+        assert summary[1].endswith(words)
 
 
 class TestStarts:

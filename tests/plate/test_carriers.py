@@ -10,6 +10,7 @@ from haptonic.bloch.gaps import common_gap, shared_gaps
 from haptonic.fields import remade
 from haptonic.report.chapter import Results
 from haptonic.report.chapters.plate import chapter
+from haptonic.results.plate.tables import power_table
 from haptonic.study import loads
 
 STUDY = """
@@ -68,6 +69,14 @@ def study():
 @pytest.fixture(scope="module")
 def result(study):
     return study.plate()
+
+
+def test_powers_are_those_of_unit_drives_and_in_the_table_those_of_the_study(result):
+    line, table = result.maps.sel(frequency=result.resonance), power_table(result)
+    assert {line[name].attrs["units"] for name in ("given", "dissipated")} == {"W/N^2"}
+    assert table.title.endswith("for 2 N at F1")
+    assert table.rows[-1][1] == pytest.approx(4 * float(line["given"]), rel=1e-12)
+    assert sum(row[1] for row in table.rows[:-1]) == pytest.approx(table.rows[-1][1], rel=1e-4)
 
 
 def near(response, other):

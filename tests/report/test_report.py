@@ -12,6 +12,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import xarray as xr
 from matplotlib.figure import Figure
 
 from five_parts import refusing
@@ -586,6 +587,18 @@ class TestTrend:
     def test_a_bent_edge_is_not_called_straight(self, exponent, words):
         chapter = sweeps.chapter(results(sweeps=(simulated_sweep(exponent=exponent),)))
         assert words in chapter.findings[1]
+
+    def test_a_sweep_of_two_sizes_is_described_as_a_map_whose_widest_gap_it_names(self):
+        lines = simulated_sweep()
+        lines["gap_lower"][0, 0] -= 1e3  # 9.4 kHz, the widest for its frequency; at 0.8 it is 14.6 kHz
+        second = xr.DataArray(np.full(9, 2e-3), dims="step", attrs={"units": "m", "long_name": "cell.pitch"})
+        both = lines.assign(second_value=second)
+        both.attrs |= {"second_expression": "cell.pitch", "own_second_value": 2e-3}
+        (alone,) = sweeps.chapter(results(sweeps=(lines,))).paragraphs
+        assert alone.startswith("Each pair of points")
+        chapter = sweeps.chapter(results(sweeps=(both,)))
+        assert chapter.paragraphs == (sweeps.OF_MAPS,)
+        assert "The widest is at 0.8 and 2 mm: 72.8 to 87.4 kHz" in chapter.findings[0]
 
     def test_the_gap_is_followed_without_a_break(self):
         sweep = simulated_sweep()

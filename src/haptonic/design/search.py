@@ -206,27 +206,36 @@ def distinct(visits: Sequence[Visited], apart: float) -> list[Visited]:
     return chosen
 
 
-def climb(brief: Brief, start: Array, band: int, offset: tuple[float, float], most: int) -> Iterator[Visited]:
-    """Yield better and better designs from a start, for the gap above one band, until no step helps.
+def climb(
+    brief: Brief, start: Array, band: int, offset: tuple[float, float], most: int
+) -> tuple[list[Visited], bool]:
+    """Better and better designs from a start, for the gap above one band, until no step helps.
 
     Parameters
     ----------
     offset : Hz, difference of a finer model's edges from the coarse model's, lower and upper
     most : largest number of designs to compute
+
+    Returns
+    -------
+    the designs, and True if no step helps the last one any more
     """
     here, step = brief.feasible(start), FIRST_STEP
     best, sides = _evaluated(brief, here, band, offset)
-    yield best
-    for _ in range(most - 1):
+    better = [best]
+    for left in range(most - 1, -1, -1):
         ahead, predicted = _best_within(brief, best.share, sides, step)
         if predicted - best.margin < LEAST_GAIN or step < LAST_STEP:
-            return
+            return better, True
+        if not left:
+            break
         tried, sides_there = _evaluated(brief, brief.feasible(ahead), band, offset)
         gain = (tried.margin - best.margin) / (predicted - best.margin)
         step *= 1.6 if gain > TRUSTED else 0.35
         if gain > 0:
             best, sides = tried, sides_there
-            yield best
+            better.append(best)
+    return better, False
 
 
 def _evaluated(

@@ -51,6 +51,11 @@ class Design(Result):
         return list(json.loads(self.dataset.attrs["held_back_by"]))
 
     @property
+    def is_settled(self) -> bool:
+        """True if the search ended where no small change of the design widens the margin."""
+        return bool(self.dataset.attrs["settled"])
+
+    @property
     def left_out(self) -> list[dict[str, Any]]:
         """Designs that could not be computed: ``stage`` of the search, ``values`` by path (SI), ``cause``."""
         return list(json.loads(self.dataset.attrs["left_out"]))
@@ -65,8 +70,8 @@ class Design(Result):
         sentences = [
             f"The carrier, {hz_text(carrier, form='g')}, lies in the gap "
             f"{gap_text(gap)} with a margin of "
-            f"{hz_text(self.margin, form='.3f')}.",
-            f"The margin is limited by {', '.join(self.held_back_by) or 'no bound and no limit'}.",
+            f"at least {hz_text(self.margin, form='.2f')}.",
+            self._limiting(),
         ]
         units = self.units
         return sentences + [
@@ -75,6 +80,13 @@ class Design(Result):
             + f", because {design['cause']}"
             for design in self.left_out
         ]
+
+    def _limiting(self) -> str:
+        reached = ", ".join(self.held_back_by)
+        if self.is_settled:
+            return f"The margin is limited by {reached or 'no bound and no limit'}."
+        at = f" The design has reached {reached}." if reached else ""
+        return f"The search ended before the margin was largest: more steps in [design] may widen it.{at}"
 
     def tables(self) -> list[Table]:
         units = self.units

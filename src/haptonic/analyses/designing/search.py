@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -26,8 +26,7 @@ from haptonic.later import xarray as xr
 from haptonic.results.common import stamped
 from haptonic.results.design import Design
 
-POLISH_STEPS = 5  # most designs of a climb after the coarse model has been corrected
-LAST_STEPS = 20  # most steps of the best climb before its bounds are reported
+LAST_STEPS = 20  # most designs of climbs whose ends are reported, unless the user allows more
 SAME = 0.02  # of the box; closer summits count as one
 REFINED = 3  # summits computed to the required accuracy
 STAGES = {
@@ -58,7 +57,7 @@ def compute_design(
     StudyError : a carrier that no allowed design reaches
     ResourceError : no design of the search has a mesh within the budget and the memory
     """
-    search = _Search(brief, settings, runner)
+    search = _Search(brief, settings, runner, max(steps, LAST_STEPS))
     begun = begun_from(starts_of(search.looked(starts), brief.carrier), brief.carrier, climbs)
     summits: list[Visited] = []
     for first in range(0, len(begun), climbs):
@@ -74,6 +73,7 @@ def compute_design(
         dataset.attrs |= {"accuracy": settings.accuracy, "largest_error": best.gap.relative_error}
     dataset.attrs["left_out"] = json.dumps(search.left_out)
     dataset.attrs["held_back_by"] = json.dumps(held_back_by(brief, best.visit.share))
+    dataset.attrs["settled"] = int(best.is_settled)
     return Design(best.values, best.gap, best.margin, dataset)
 
 
@@ -82,25 +82,28 @@ class _Refined:
     """A design at the required accuracy.
 
     visit : in the coarse model; values : SI, by path; margin : of the carrier in the gap with errors, Hz
+    is_settled : whether the corrected model shows no better design nearby
     """
 
     visit: Visited
     values: dict[str, float]
     gap: Gap
     margin: float
+    is_settled: bool = False
 
 
 class _Search:
     """State of a search.
 
+    last_steps : most designs of climbs whose ends are reported
     history : all designs, by stage; ends : Hz, lowest frequency of the last band of each sampled design
     left_out, failures : designs that could not be computed, with the reasons
     tried : summits for the required accuracy; refused : those that could not be computed
     best : the best one that could be computed
     """
 
-    def __init__(self, brief: Brief, settings: BandSettings, runner: Runner) -> None:
-        self.brief, self.settings, self.runner = brief, settings, runner
+    def __init__(self, brief: Brief, settings: BandSettings, runner: Runner, last_steps: int) -> None:
+        self.brief, self.settings, self.runner, self.last_steps = brief, settings, runner, last_steps
         self.history: list[tuple[str, Visited]] = []
         self.ends: list[float] = []
         self.left_out: list[dict[str, Any]] = []
@@ -125,15 +128,16 @@ class _Search:
 
     def climbed(self, begun: Sequence[Visited], steps: int) -> list[Visited]:
         """Ends of climbs from the given designs."""
-        return [visits[-1] for visits in self._climbs("climb", begun, (0.0, 0.0), steps)]
+        return [visits[-1] for visits, _ in self._climbs("climb", begun, (0.0, 0.0), steps)]
 
     def _climbs(
         self, stage: str, begun: Sequence[Visited], offset: tuple[float, float], steps: int
-    ) -> list[list[Visited]]:
+    ) -> list[tuple[list[Visited], bool]]:
+        """Designs of climbs, and whether each ended where no step helps."""
         asked = [tasks.climb_task(self.brief, visit, offset, steps) for visit in begun]
         datasets = self._run(stage, tasks.climb_dataset, asked, [visit.share for visit in begun])
-        climbs = [visits_of(data) for data in datasets]
-        self.history += [(stage, visit) for visits in climbs for visit in visits]
+        climbs = [(visits_of(data), bool(data.attrs["settled"])) for data in datasets]
+        self.history += [(stage, visit) for visits, _ in climbs for visit in visits]
         return climbs
 
     def ranked(self, summits: Sequence[Visited]) -> list[Visited]:
@@ -166,8 +170,9 @@ class _Search:
         self.refused += [(summit, failure) for failure in self.failures[before:]]
         for first in designs[:1]:
             offset = first.gap.lower - summit.lower, first.gap.upper - summit.upper
-            for visits in self._climbs("polish", [summit], offset, POLISH_STEPS):
+            for visits, is_settled in self._climbs("polish", [summit], offset, self.last_steps):
                 designs += self._at_accuracy(visits[-1])
+                designs = [replace(design, is_settled=is_settled) for design in designs]
         return designs
 
     def _at_accuracy(self, visit: Visited) -> list[_Refined]:
@@ -188,7 +193,7 @@ class _Search:
         if not summits:
             return self.failures[0]
         if self.best is None:  # only a finished climb shows the bounds that limit it
-            summits = self.ranked([*self.climbed(summits[:1], LAST_STEPS), *summits])
+            summits = self.ranked([*self.climbed(summits[:1], self.last_steps), *summits])
         gap = None if self.best is None else self.best.gap
         return out_of_reach(self.brief, gap, summits, [visit for _, visit in self.history], self.ends)
 

@@ -54,8 +54,9 @@ def climb_task(brief: Brief, start: Visited, offset: tuple[float, float], steps:
 
 
 def climb_dataset(argument: tuple[Brief, Array, int, tuple[float, float], int]) -> xr.Dataset:
-    """All designs of a climb."""
-    return as_dataset(list(climb(*argument)))
+    """All designs of a climb; the attribute ``settled`` is 1 if no step helps the last one any more."""
+    better, is_settled = climb(*argument)
+    return as_dataset(better).assign_attrs(settled=int(is_settled))
 
 
 def gap_task(cell: UnitCell, settings: BandSettings, band: int) -> Task:

@@ -49,11 +49,15 @@ def part_name(plate: Plate, tile: str) -> str:
 
 
 def lines_dataset(plate: Plate, vibration: Vibration, band: Band) -> xr.Dataset:
-    """Dataset of energies, powers, impedances and errors against frequency."""
+    """Dataset of energies, powers, impedances and errors against frequency.
+
+    Energies and powers are those of a unit amplitude of the first drive, and grow with its square.
+    """
     model = band.reduced.model
     parts, stored = _by_part(plate, vibration.stored, model)
     actuators = [actuator.name for actuator in plate.actuators]
-    _, unit = reference_of(plate)
+    reference, unit = reference_of(plate)
+    energy, power = (f"{of}/{reference.unit}^2" for of in ("J", "W"))
     impedance = np.stack(
         [
             np.asarray(a.amplitude / unit / (1j * vibration.omega * vibration.charge[a.name]))
@@ -64,14 +68,17 @@ def lines_dataset(plate: Plate, vibration: Vibration, band: Band) -> xr.Dataset:
     data = xr.Dataset(
         {
             "solver_error": ("frequency", vibration.error, {"long_name": "relative, a bound"}),
-            "strain_energy": (("frequency", "part"), stored, {"units": "J", "long_name": "mean"}),
+            "strain_energy": (("frequency", "part"), stored, {"units": energy, "long_name": "mean"}),
             "moving": (
-                "frequency", vibration.moving.sum(axis=1), {"units": "J", "long_name": "mean kinetic energy"},
+                "frequency", vibration.moving.sum(axis=1),
+                {"units": energy, "long_name": "mean kinetic energy"},
             ),
-            "given": ("frequency", vibration.given, {"units": "W", "long_name": "mean power of the drives"}),
+            "given": (
+                "frequency", vibration.given, {"units": power, "long_name": "mean power of the drives"},
+            ),
             "dissipated": (
                 ("loss", "frequency"), np.stack([vibration.dissipated[part] for part in losses]),
-                {"units": "W"},
+                {"units": power},
             ),
             "impedance_real": (("actuator", "frequency"), impedance.real, {"units": "ohm"}),
             "impedance_imag": (("actuator", "frequency"), impedance.imag, {"units": "ohm"}),

@@ -14,7 +14,7 @@ from haptonic.plate.vibration.modes import has_one_lobe
 from haptonic.report.chapter import Absent, Chapter, Finding, Picture, Results
 from haptonic.results.plain import split
 from haptonic.results.plan import border_text
-from haptonic.results.plate.tables import carriers_table, lines_table, modes_table
+from haptonic.results.plate.tables import carriers_table, lines_table, modes_table, power_table
 from haptonic.results.plate.value import CarrierAnswer, PlateResult
 from haptonic.units import hz_text, in_percent
 
@@ -51,7 +51,12 @@ def chapter(results: Results) -> Chapter | Absent:
         pictures=(*results.pictures(result, words), _swinging(result)),
         tables=tuple(
             table.labelled("simulated")
-            for table in (*carriers_table(result.answers), lines_table(result), modes_table(_nearest(result)))
+            for table in (
+                *carriers_table(result.answers),
+                lines_table(result),
+                power_table(result),
+                modes_table(_nearest(result)),
+            )
         ),
         views={"Scrub through the frequencies": result.view()},
     )

@@ -15,6 +15,16 @@ from haptonic.units import hz_text, in_percent
 
 TITLE = "Sweeps"
 STRAIGHT = 0.02  # of the edge's mean: largest distance from a line that counts as straight
+OF_LINES = (
+    "Each pair of points is one design; all its other sizes are those of the study. Thin lines are bending "
+    "resonances of the pillar alone, clamped at its foot: by equation (3) of Daunizeau, Gueorguiev, Haliyo "
+    "and Hayward, “Phononic Crystals Applied to Localised Surface Haptics”, which takes it as slender, and "
+    "with shear and rotary inertia (Timoshenko). Gaps above the dashed line were not searched."
+)
+OF_MAPS = (
+    "Each field of a map is one design; all its other sizes are those of the study. Its colour is the width "
+    "of the widest complete gap below the last computed band."
+)
 
 
 def chapter(results: Results) -> Chapter | Absent:
@@ -41,12 +51,10 @@ def chapter(results: Results) -> Chapter | Absent:
     return Chapter(
         title=TITLE,
         identifier="sweeps",
-        paragraphs=(
-            "Each pair of points is one design; all its other sizes are those of the study. Thin lines are "
-            "bending resonances of the pillar alone, clamped at its foot: by equation (3) of Daunizeau, "
-            "Gueorguiev, Haliyo and Hayward, “Phononic Crystals Applied to Localised Surface Haptics”, "
-            "which takes it as slender, and with shear and rotary inertia (Timoshenko). Gaps above the "
-            "dashed line were not searched.",
+        paragraphs=tuple(
+            text
+            for text, axes in ((OF_LINES, 1), (OF_MAPS, 2))
+            if any(len(sweep.axes) == axes for sweep in sweeps.rows)
         ),
         findings=tuple(findings),
         pictures=tuple(
@@ -79,12 +87,13 @@ def _findings(sweep: Sweep) -> list[str]:
     if not certain.any():
         return [f"No design along {name} has a certain complete gap."]
     lower, upper = data["gap_lower"].values, data["gap_upper"].values
-    share = np.where(certain, 2 * (upper - lower) / (upper + lower), 0.0)
-    step, slot = np.unravel_index(share.argmax(), share.shape)
+    width = np.where(certain, upper - lower, 0.0)
+    step, slot = np.unravel_index(width.argmax(), width.shape)
+    centre = 0.5 * (lower + upper)[step, slot]
     findings = [
         f"Along {name}, {certain.any(axis=1).sum()} of {len(certain)} designs have a certain complete gap. "
-        f"The widest for its frequency is at {sweep.values_at(int(step))}: {lower[step, slot] / 1e3:.1f} to "
-        f"{hz_text(upper[step, slot], form='.1f')}, {in_percent(share[step, slot])} of its centre."
+        f"The widest is at {sweep.values_at(int(step))}: {lower[step, slot] / 1e3:.1f} to "
+        f"{hz_text(upper[step, slot], form='.1f')}, {in_percent(width[step, slot] / centre)} of its centre."
     ]
     trend = trend_of(data)
     if trend is not None and np.isfinite(trend.slender).all():

@@ -61,16 +61,20 @@ def lines_table(result: PlateResult) -> Table:
 
 
 def power_table(result: PlateResult) -> Table:
-    """Distribution of the power at the resonance of the map in the gap."""
-    line = result.maps.sel(frequency=result.resonance)
-    given, lost, (reference, _) = float(line["given"]), line["dissipated"], reference_of(result.plate)
+    """Distribution of the power at the resonance of the map in the gap, for the drives of the study."""
+    line, (reference, amplitude) = result.maps.sel(frequency=result.resonance), reference_of(result.plate)
+    given, lost = amplitude**2 * float(line["given"]), amplitude**2 * line["dissipated"]
     rows: list[tuple[Cell, ...]] = [
         (name, power, power / given)
         for name, power in zip(lost["loss"].values.tolist(), lost.values.tolist(), strict=True) if power
     ]  # fmt: skip
     rows.append(("given by the drives", given, 1.0))
+    where, drive = (
+        hz_text(result.resonance, form=".3f"),
+        f"{amplitude:g} {reference.unit} at {reference.name}",
+    )
     return Table(
-        f"power at {hz_text(result.resonance, form='.3f')} for 1 {reference.unit} at {reference.name}",
+        f"power at {where} for {drive}",
         ("part", Column("power", "W", form=".3g"), Column("share", "", "%", ".1f")),
         rows,
         [len(rows) - 1],
