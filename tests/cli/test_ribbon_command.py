@@ -11,7 +11,7 @@ from haptonic.analyses.ribbon import accuracy_of
 from haptonic.bloch.candidates import BestModel
 from haptonic.bloch.settings import BandSettings
 from haptonic.results.common import accuracy_remarks
-from haptonic.results.ribbon import RibbonWaves
+from haptonic.results.ribbon import COLUMNS, RibbonWaves
 from haptonic.study import loads
 from quick import FINER_CELL
 from unseen_pictures import leave_pictures_empty
@@ -149,17 +149,22 @@ def test_a_strip_of_crystal_has_its_waves_and_its_stop_band(inside, tmp_path):
     assert nothing.summary() == ["The strip has no wave from 2 to 60 kHz."]
 
 
-@pytest.mark.parametrize(("in_gap", "added"), [
-    ([0, 0], ""), ([1, 0], " 1 wave outside of them runs along the ribbon's outer edges."),
-    ([1, 1], " 2 waves outside of them run along the ribbon's outer edges."),
+@pytest.mark.parametrize(("in_gap", "guided", "words"), [
+    ([0, 0], [0, 0], []), ([1, 1], [1, 1], []),
+    ([1, 0], [0, 0], ["1 wave", "runs", "is"]),
+    ([1, 1], [0, 0], ["2 waves", "run", "are"]),
+    ([1, 1], [1, 0], ["1 wave", "runs", "is"]),
 ])  # fmt: skip
-def test_waves_along_the_outer_edges_are_counted_without_a_mode_of_the_guide(in_gap, added):
-    names = ("guided", "in_gap", "frequency", "frequency_error")
-    data = xr.Dataset({name: ("mode", [0.0, 0.0]) for name in names})
-    data["in_gap"] = ("mode", in_gap)
+def test_waves_along_the_outer_edges_are_counted(in_gap, guided, words):
+    names = [column.of or column.name for column in COLUMNS] + ["intervals", "frequency_error", "decay_error"]
+    data = xr.Dataset({name: ("mode", [1e4, 2e4]) for name in [*names, "group_velocity_error", "phase"]})
+    data["in_gap"], data["guided"] = ("mode", in_gap), ("mode", guided)
+    data = data.assign_coords(wavevector=[0], line=[0])
     data.attrs = {"kind": "guide", "range_hz": [2e3, 60e3]}
-    none = "No wave of the guide lies outside of the bulk bands in the searched range from 2 to 60 kHz."
-    assert RibbonWaves(data).summary() == [none + added]
+    summary = RibbonWaves(data).summary()
+    expected = "{} outside of the bulk bands {} along the ribbon's outer edges, and {} in no table."
+    assert summary[2 if any(guided) else 1 :] == ([expected.format(*words)] if words else [])
+    assert summary[0].startswith("The guide has" if any(guided) else "No wave of the guide lies outside")
 
 
 def test_a_stop_band_ends_where_bands_may_turn_between_two_phases():

@@ -5,7 +5,7 @@ from hypothesis import given, strategies as st
 from matplotlib.figure import Figure
 
 from haptonic.plots import style
-from haptonic.plots.text import band_text, readable, scaled_unit
+from haptonic.plots.text import band_text, label, readable, scaled_unit, short
 from haptonic.units import uncertain
 
 
@@ -90,3 +90,11 @@ def test_powers_of_ten_are_plain_text(low, high, labels):
         shown = {tick.get_text() for which in (False, True) for tick in axes.get_yticklabels(minor=which)}
     assert labels <= shown
     assert not set("$\\{}") & set("".join(shown))
+
+
+def test_long_names_keep_their_beginning_and_their_end():
+    assert short("WG1") == "WG1"
+    assert short("twelve chars") == "twelve chars"
+    names = [short(f"a long name of region {number}") for number in (1, 2)]
+    assert names == ["a lon…ion 1", "a lon…ion 2"]
+    assert short("_region") == label("_region")

@@ -27,7 +27,7 @@ from haptonic.plots.marks import LINE, Gap
 from haptonic.plots.moving import moving
 from haptonic.plots.plates import HALO, region_borders, rows_of
 from haptonic.plots.stage import Stage, stage
-from haptonic.plots.text import absolute, driven, label
+from haptonic.plots.text import absolute, driven, label, short
 from haptonic.response import FrequencyResponse
 from haptonic.response.rasters import point_map
 from haptonic.units import hz_text
@@ -294,10 +294,10 @@ def outlined(axes: Axes, layout: Layout | None, *, named: bool = True) -> int:
     ):
         room = min((high[0] - low[0] for low, high in spans.values()), default=0.0)
         across = room / (1e3 * (layout.x[-1] - layout.x[0])) * width
-        turned = any(0.65 * size * len(name) > 1.3 * across for name in spans)
+        turned = any(0.65 * size * len(short(name)) > 1.3 * across for name in spans)
         for name, (low, high) in spans.items():
             axes.annotate(
-                label(name), (0.5 * (low[0] + high[0]), 1e3 * layout.y[-1]), xytext=(0, 2),
+                short(name), (0.5 * (low[0] + high[0]), 1e3 * layout.y[-1]), xytext=(0, 2),
                 textcoords="offset points", ha="left" if turned else "center", va="bottom",
                 rotation=30 if turned else 0, annotation_clip=False, gid="region name",
             )  # fmt: skip
@@ -305,7 +305,7 @@ def outlined(axes: Axes, layout: Layout | None, *, named: bool = True) -> int:
     for name in layout.regions:
         x, _, top = max(rows_of(layout, name), key=lambda row: row[2])
         axes.annotate(
-            label(name), (1e3 * x, 1e3 * top), xytext=(0, -4), textcoords="offset points",
+            short(name), (1e3 * x, 1e3 * top), xytext=(0, -4), textcoords="offset points",
             ha="center", va="top", gid="region name", path_effects=HALO,
         )  # fmt: skip
     return 0

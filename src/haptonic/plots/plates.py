@@ -23,7 +23,7 @@ from haptonic.plate.layout.parts import Plate
 from haptonic.plate.layout.supports import WORDS, Hold
 from haptonic.plots import style
 from haptonic.plots.stage import stage
-from haptonic.plots.text import LETTER, label
+from haptonic.plots.text import LETTER, label, short
 
 AROUND = 48  # points on a curved outline
 HALO = [withStroke(linewidth=2.2, foreground="white")]  # keeps text readable on any colour
@@ -64,8 +64,9 @@ def plate_plan(plate: Plate, visited: Array | None = None, *, ax: Axes | None = 
     on.legend(handles, ncols=3)
     parts = _boxes_of_parts(axes, plate)
     for name in layout.regions:
-        x, y = _free_place(layout, name, parts, _half_size(axes, name))
-        axes.text(1e3 * x, 1e3 * y, name, ha="center", va="center", gid="region name")
+        shown = short(name)
+        x, y = _free_place(layout, name, parts, _half_size(axes, shown))
+        axes.text(1e3 * x, 1e3 * y, shown, ha="center", va="center", gid="region name")
     return on.figure
 
 

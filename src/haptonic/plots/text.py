@@ -15,6 +15,7 @@ if TYPE_CHECKING:
 
 WavevectorUnit = Literal["rad/m", "pi/a"]
 
+LONGEST_NAME = 12  # letters of a name in a picture
 LETTER = 0.56  # width of a letter over the size of the type
 _PREFIXED = {0: "", 3: "m", 6: "µ", 9: "n", 12: "p"}  # by the power of ten by which they divide
 _SCALED = {"m": ("mm", 1e3), "Hz": ("kHz", 1e-3), "Pa": ("GPa", 1e-9), "rad": ("deg", 180 / math.pi)}
@@ -51,6 +52,13 @@ def label(name: str) -> str:
     """A name for a legend, which would leave out one that begins with "_"."""
     shown = visible(name)
     return f"\N{ZERO WIDTH SPACE}{shown}" if shown.startswith("_") else shown
+
+
+def short(name: str) -> str:
+    """A name for a place in a picture: of a long one the beginning and the end, where names differ."""
+    shown = label(name)
+    half = (LONGEST_NAME - 1) // 2
+    return shown if len(shown) <= LONGEST_NAME else f"{shown[:half].rstrip()}…{shown[-half:].lstrip()}"
 
 
 def readable(expression: str) -> str:

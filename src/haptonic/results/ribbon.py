@@ -113,10 +113,7 @@ class RibbonWaves(Result):
                 f"No wave of the {self.dataset.attrs['kind']} lies outside of the bulk bands in the searched "
                 f"range {where}."
             )
-            if apart := int(self.dataset["in_gap"].values.sum()):
-                verb = "runs" if apart == 1 else "run"
-                none += f" {counted(apart, 'wave')} outside of them {verb} along the ribbon's outer edges."
-            return [none + unsure if largest > HIDING * (high - low) else none]
+            return [none + unsure if largest > HIDING * (high - low) else none, *self._of_outer_edges()]
         kind = f"The {self.dataset.attrs['kind']}"
         intervals = float(best["intervals"])
         across = float(best["nodal_lines"])
@@ -137,6 +134,7 @@ class RibbonWaves(Result):
             f"{float(best['phase_share']):.3f} π per period): {in_percent(inside)} of its energy "
             f"is in the {there}{decays}; group velocity {speed} m/s.",
             *self._of_copies(near),
+            *self._of_outer_edges(),
         ]
 
     def _among(self, near: float) -> str:
@@ -168,6 +166,17 @@ class RibbonWaves(Result):
         return (
             f"Modes of the defect between the bulk bands {where}, with most of their energy in it: {at} kHz."
         )
+
+    def _of_outer_edges(self) -> list[str]:
+        """Sentence on modes outside of the bulk bands that are not those of the guide."""
+        apart = int((self.dataset["in_gap"].values > self.dataset["guided"].values).sum())
+        if self.is_strip or not apart:
+            return []
+        verb = "runs" if apart == 1 else "run"
+        return [
+            f"{counted(apart, 'wave')} outside of the bulk bands {verb} along the ribbon's outer edges, and "
+            f"{'is' if apart == 1 else 'are'} in no table."
+        ]
 
     def _of_copies(self, near: float) -> list[str]:
         """Sentence on the effect of a defect's copies on its mode at a frequency (Hz), and on its damping."""
