@@ -20,6 +20,7 @@ from haptonic.bloch.plate_waves import PlateWaves
 from haptonic.bloch.rows import CondensedRows
 from haptonic.errors import StudyError
 from haptonic.later import linalg as la
+from haptonic.names import counted
 from haptonic.units import hz_text
 
 LEAD = "A0"  # the wave that is guided
@@ -375,7 +376,7 @@ def _root(misfit: Callable[[float], float], low: float, high: float) -> float | 
 def _no_mode(nodal_lines: int, where: str) -> StudyError:
     return StudyError.no_answer(
         argument="waveguide.mode",
-        given=f"{nodal_lines} at {where}",
+        given=f"{counted(nodal_lines, 'nodal line')} at {where}",
         allowed=f"a mode that {LEAD} forms between mirrors that no wave enters",
         cause="the strip is too narrow or too wide for it, or the frequency lies outside the mirrors' gap",
         next_step="use another number of nodal lines, another width, or frequencies within the gap",

@@ -132,7 +132,7 @@ def _check_joined(stack: Stack, table: str) -> None:
             if edges.any()
             else "a part that the plate does not carry",
             "discs that make one body with the plate",
-            "between the part and the plate there is nothing",
-            "let the ends of the discs meet, or leave the part out",
+            "between the part and the plate there is nothing; heights are those above the plate's upper face",
+            "let the ends of the discs meet (on the plate, low is 0), or leave the part out",
             at=f"{table}disc",
         )

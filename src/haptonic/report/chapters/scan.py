@@ -111,7 +111,8 @@ def _gaps(plate: PlateResult, scan: ScanResult) -> Table:
         rows.append(
             (
                 "lattice, computed",
-                *(hz_text(edge, form=".2f") for edge in plate.gap.edges),
+                hz_text(plate.gap.lower, error=plate.gap.lower_error),
+                hz_text(plate.gap.upper, error=plate.gap.upper_error),
             )
         )
     if scan.lattice:
@@ -125,12 +126,21 @@ def _gaps(plate: PlateResult, scan: ScanResult) -> Table:
             )
         )
     try:
-        rows.append(("high contrast, computed plate", *_edges(contrast_range(plate.response, plate.plate))))
+        rows.append(
+            (
+                "high contrast, computed plate (experimental)",
+                *_edges(contrast_range(plate.response, plate.plate)),
+            )
+        )
     except HaptonicError as error:
-        rows.append(("high contrast, computed plate", "none", error.given))
+        rows.append(("high contrast, computed plate (experimental)", "none", error.given))
     if scan.measured:
-        rows.append(("high contrast, simulated scan", *_edges(scan.measured)))
-    return Table("Simulated gaps, with standard errors.", ("where", "from", "to"), tuple(rows))
+        rows.append(("high contrast, simulated scan (experimental)", *_edges(scan.measured)))
+    return Table(
+        "Simulated gaps, with bounds of errors if computed, and standard errors if from a scan.",
+        ("where", "from", "to"),
+        tuple(rows),
+    )
 
 
 def _edges(gap: MeasuredGap) -> tuple[str, str]:
