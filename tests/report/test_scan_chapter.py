@@ -73,7 +73,7 @@ def test_the_chapter_sets_scan_and_plate_side_by_side(study, plate, scan, known)
     seen = float(scan.contrasts["WG1 over WG2"].sel(frequency=frequency))
     assert levels.rows[0] == (f"WG1 over WG2, {frequency / 1e3:.2f} kHz", float(ours[0]), seen)
     named = {row[0]: row[1:] for row in gaps.rows}
-    assert named["high contrast, simulated scan"][0].startswith(
+    assert named["high contrast, simulated scan (experimental)"][0].startswith(
         uncertain(scan.measured.lower / 1e3, scan.measured.lower_error / 1e3)
     )
     assert "at 126 of 126 frequencies" in written.findings[0]

@@ -106,7 +106,7 @@ def _everywhere(plate: PlateResult, scan: ScanResult) -> list[str]:
 
 
 def _gaps(plate: PlateResult, scan: ScanResult) -> Table:
-    rows = []
+    rows: list[tuple[str, ...]] = []
     if plate.gap:
         rows.append(
             (
