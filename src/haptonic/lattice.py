@@ -217,12 +217,13 @@ class Lattice:
                 "the ratio is too large", "check their units", at=[*FURTHER[self.name], "pitch"][0],
             )  # fmt: skip
         if self.shortest_side < LEAST_SIDE:
+            turned = ", turned by 45 deg with its sections" * (self.name == "centred")
             raise problem(
                 "out-of-range",
                 f"{self.name}, a side of its cell {self.shortest_side:.2g} radii of the inscribed circle",
                 f"six sides, none shorter than {LEAST_SIDE:g} radii of the inscribed circle",
-                "its points nearly form rectangles; so short a side cannot be meshed", 'change a '
-                'size by a thousandth, or write lattice = "square" or "rectangular"', at="lattice",
+                "its points nearly form rectangles; so short a side cannot be meshed", "change a size by a "
+                f'thousandth, or write lattice = "square" or "rectangular"{turned}', at="lattice",
             )  # fmt: skip
 
     def _check_vectors(self) -> None:

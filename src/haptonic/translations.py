@@ -79,7 +79,8 @@ def recognised(vectors: Array) -> dict[str, float | str]:
         " and ".join(vector_text(vector) for vector in vectors),
         "vectors of which a sum lies along x; a square or a rectangle must have its sides along x and y",
         "the lattice is rotated relative to the x axis",
-        f"write a1 = {first} and a2 = {second}, and rotate the axes of an anisotropic material",
+        f"write a1 = {first} and a2 = {second}, and turn sections, positions of sites and anisotropic "
+        "materials with them",
         at="a1",
     )
 

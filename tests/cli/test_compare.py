@@ -17,7 +17,7 @@ from hypothesis import given, strategies as st
 from each import each
 from five_parts import assert_five_parts, refused
 from haptonic.analyses import compare, named
-from haptonic.analyses.comparing import PARTS, OfTable, of_dataset, of_file, of_table
+from haptonic.analyses.comparing import PARTS, OfTable, loss_of, of_dataset, of_file, of_table
 from haptonic.analyses.runner import Runner
 from haptonic.analyses.table_path import OurPath
 from haptonic.bloch import bloch_model
@@ -27,7 +27,7 @@ from haptonic.errors import ChannelError, StudyError
 from haptonic.results.common import write_files
 from haptonic.results.comparison import BandSet, Comparison
 from haptonic.store import Store
-from haptonic.study import load
+from haptonic.study import load, loads
 from haptonic.study.loading import load_as
 from haptonic.study.schema import Description
 from pace import within
@@ -275,6 +275,23 @@ def test_two_columns_of_the_wavevector_make_a_way(tmp_path):
     assert side.frequency[:, 1] == pytest.approx(dispersion(np.arange(3.0))[:, 1])
 
 
+EPOXY = 'diameter = "5 mm"\nmaterial = "epoxy"\n'
+
+
+@pytest.mark.parametrize(("parts", "expected"), [
+    ("", 5e-4),
+    ('[cell.pillar]\ndiameter = "5 mm"\nheight = "4 mm"\n', 5e-4),
+    (f'[cell.pillar]\nheight = "4 mm"\n{EPOXY}', None),
+    (f'[[cell.site]]\nat = [0, 0]\n[cell.site.pillar]\nheight = "4 mm"\n{EPOXY}', None),
+    (f"[[cell.disc]]\n{EPOXY}", None),
+    (f"[[cell.site]]\nat = [0, 0]\n[[cell.site.disc]]\n{EPOXY}", None),
+    ('[[cell.disc]]\ndiameter = "5 mm"\nempty = true\n', 5e-4),
+])  # fmt: skip
+def test_modes_of_several_materials_have_no_common_loss_factor(parts, expected):
+    cell = 'material = "aluminium-7075"\n[cell]\npitch = "10 mm"\nthickness = "2 mm"\n'
+    assert loss_of(loads(cell + parts).inputs()) == expected
+
+
 BESIDE = {
     "Damping ratio": ("1", 2.5e-4),
     "Quality factor": ("1", 2000.0),
@@ -288,7 +305,10 @@ BESIDE = {
     st.permutations(["Eigenfrequency", *BESIDE]), st.sampled_from([("Hz", 1.0), ("kHz", 1e3)]), st.booleans()
 )
 def test_what_is_no_frequency_is_left_out(tmp_path_factory, order, unit, unit_given):
-    """Damping ratios and others, which an evaluation of eigenfrequencies brings along."""
+    """Angular frequencies and others, which an evaluation of eigenfrequencies brings along.
+
+    One of the columns of damping is used.
+    """
     path, position = tmp_path_factory.mktemp("export") / "theirs.csv", np.linspace(0, 3, 5)
     heads = [f"{column} ({BESIDE.get(column, unit)[0]})" for column in order]
     rows = [
@@ -299,8 +319,11 @@ def test_what_is_no_frequency_is_left_out(tmp_path_factory, order, unit, unit_gi
     path.write_text("\n".join([f"% k,{','.join(heads)}", *(",".join(map(str, row)) for row in rows)]))
     side = laid(path, "segments", unit[0] if unit_given else None)
     assert side.frequency == pytest.approx(dispersion(position))
-    assert side.left == tuple(column for column in order if column in BESIDE)
-    assert "Damping ratio" in Comparison(of_dataset("ours", ours()), side).remarks()[0]
+    assert side.loss_from in ("Damping ratio", "Quality factor")
+    assert side.left == tuple(column for column in order if column in BESIDE and column != side.loss_from)
+    remark = Comparison(of_dataset("ours", ours()), side).remarks()[0]
+    assert "Angular frequency" in remark
+    assert side.loss_from not in remark
 
 
 @pytest.mark.parametrize("moved", [(300.0, -200.0), (-100.0, -400.0), (250.0, 120.0)])

@@ -100,7 +100,11 @@ def test_a_mirror_turns_its_normal_over(lattice):
         assert group.turn(op) @ normal == pytest.approx(-normal, abs=1e-9)
 
 
-@given(pitches, st.floats(-12, 12).map(lambda power: 10.0**power))
+# at the limits themselves, rounding decides
+powers = st.floats(-12, 12).filter(lambda power: abs(abs(power) - 3) > 1e-9)
+
+
+@given(pitches, powers.map(lambda power: 10.0**power))
 def test_a_rectangle_has_four_sides_and_four_operations_or_is_refused(pitch, ratio):
     if not 1e-3 < ratio < 1e3:
         with refusing(GeometryError, "out-of-range", "cell.pitch_y"):

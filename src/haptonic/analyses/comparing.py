@@ -150,9 +150,10 @@ def _read(path: Path, ours: OurPath, asked: OfTable) -> tuple[TableOfBands, str]
 
 
 def loss_of(inputs: Mapping[str, Any]) -> float | None:
-    """Loss factor of every mode of a cell of one material; None for several materials."""
-    material, pillar = inputs.get("material"), (inputs.get("cell") or {}).get("pillar") or {}
-    if not isinstance(material, Mapping) or pillar.get("material") is not None:
-        return None
-    given = material.get("loss_factor")
-    return float(given) if isinstance(given, int | float) else None
+    """Loss factor of every mode of a cell; None for materials of several loss factors."""
+    materials = [inputs.get("material"), *(inputs.get("cell", {}).get("materials") or {}).values()]
+    losses = {
+        material.get("loss_factor") if isinstance(material, Mapping) else None for material in materials
+    }
+    loss = losses.pop() if len(losses) == 1 else None
+    return float(loss) if isinstance(loss, int | float) else None

@@ -139,7 +139,8 @@ def columns_of(table: TextTable, frequency_unit: str | None) -> TableOfBands:
         raise _refused(table, f"wavevectors in {' and '.join(sorted(map(repr, units)))}", "one unit for both")
     return TableOfBands(
         wavevector=wavevector, axes=names, unit=units.pop(), frequency=values, blocks=table.blocks,
-        lines=table.lines, loss=loss, from_column=source, left=named, remarks=table.remarks,
+        lines=table.lines, loss=loss, from_column=source,
+        left=tuple(name for name in named if name != source), remarks=table.remarks,
     )  # fmt: skip
 
 

@@ -23,7 +23,7 @@ from haptonic.bloch.mirrors import condensed_rows
 from haptonic.bloch.plate_waves import mirror_across
 from haptonic.bloch.settings import WaveguideSettings
 from haptonic.bloch.waveguides import closing, strip_of, strips_dataset
-from haptonic.cell import Rows, UnitCell
+from haptonic.cell import Rows
 from haptonic.cell.scales import scales
 from haptonic.errors import StudyError, shown
 from haptonic.fields import remade
@@ -59,9 +59,10 @@ def chosen_settings(study: Description, options: WaveguideOptions) -> WaveguideS
     need_rows(study, "waveguide")
     settings = study.waveguide_settings
     rows = Rows(study.cell, settings.direction)
-    _need_equal_sides(study.cell, rows.turn[0])
+    _need_equal_sides(rows, rows.turn[0])
     if settings.ends == "mirror":
         closing(rows)
+        _need_equal_sides(rows, rows.turn[1])
     if options.mode is None:
         return settings
     try:
@@ -76,11 +77,22 @@ def chosen_settings(study: Description, options: WaveguideOptions) -> WaveguideS
         ) from None
 
 
-def _need_equal_sides(cell: UnitCell, across: Array) -> None:
-    """Refuse a crystal in which waves to the two sides of a strip are no mirror images of each other.
+def _need_equal_sides(rows: Rows, across: Array) -> None:
+    """Refuse a crystal whose two sides of a strip reflect waves differently.
 
-    across : (2,) direction across the strip
+    across : (2,) direction from one side to the other
     """
+    cell = rows.cell
+    if not rows.is_reversible(across):
+        raise StudyError.unsupported(
+            argument="waveguide.along",
+            given=str(list(rows.along)),
+            allowed="a direction for which the crystals on both sides of the strip, or at both ends, are "
+            "images of each other in a mirror or a half turn",
+            cause="this cell has no such symmetry, so both sides reflect waves differently; modes are "
+            "computed from equal ones",
+            next_step="choose another direction, or compute the strip as a ribbon: `haptonic ribbon`",
+        )
     if is_symmetry(cell.material.stiffness, mirror_across(across)):
         return
     raise StudyError.unsupported(

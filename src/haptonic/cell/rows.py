@@ -94,6 +94,15 @@ class Rows(Directed):
         cells = [self.cell if n < self.filled else plain for n in range(self.reach)]
         return tuple(tile for n, cell in enumerate(cells) for tile in self._row(cell, n))
 
+    def is_reversible(self, direction: Array) -> bool:
+        """True if the crystal has a mirror or a half turn that reverses a direction (2,) of the plane.
+
+        Then two equal crystals on both sides of a strip reflect its waves equally.
+        """
+        group = self.cell.point_group
+        images = (group.turn(operation)[:2, :2] @ direction for operation in group.operations)
+        return any(np.abs(image + direction).max() < SAME for image in images)
+
     @property
     def lossy(self) -> list[bool]:
         """For each tile, True if it belongs to the lattice."""
