@@ -95,4 +95,19 @@ def test_a_small_basis_adds_no_bands_to_a_very_thin_plate():
 @pytest.mark.nightly
 @pytest.mark.parametrize("size", [(0.005, 0.5, 13 / 6), (0.01, 0.5, 0.5), (0.03, 0.2, 0.1)])
 def test_thin_plates_with_pillars_are_answered(size):
-    assert bloch_model(thin_cell(*size), BandSettings(10, accuracy=2e-3)).resolution.order <= 5
+    limits = MeshLimits(600.0, 8e9)
+    model = bloch_model(thin_cell(*size), BandSettings(10, accuracy=2e-3), limits=limits)
+    assert model.worst_error < 2e-3
+    assert model.resolution.order <= 5
+
+
+def test_errors_by_rounding_alone_are_no_reason_for_a_finer_mesh():
+    model = BlochModel.of(thin_cell(0.2, 0.5, 1.0), Resolution(3, 0), 6)
+    unit = 2 * np.pi * model.highest / 100  # rad/s, of modes at rest
+    rounded = replace(model, fine=replace(model.fine, rounding=unit**2))
+    kappa = np.array([0.3, 0.0])
+    before, after = (each.solve(kappa) for each in (model, rounded))
+    assert before.error[0] < 0.02 * before.frequency[0]
+    assert after.error[0] > 0.05 * after.frequency[0]
+    assert rounded.rest == pytest.approx(0.3 * model.highest)
+    assert rounded.worst_error < model.worst_error + 1e-3

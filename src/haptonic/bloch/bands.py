@@ -29,7 +29,6 @@ from haptonic.bloch.tracking import (
     group_velocity_error,
     solved,
 )
-from haptonic.bloch.truncation import REST
 from haptonic.bloch.wavevectors import wavevector_at
 from haptonic.bloch.zone import ZoneModes, zone_surface
 from haptonic.brillouin import IrreducibleZone, Path
@@ -130,7 +129,9 @@ def bands_dataset(
         "modes_at": name,
         "character_names": json.dumps(NAMES),
         **scales(cell),
-        **best.attributes(settings, max(model.worst_error, _largest_error(dataset)), ("bands", CLOSE_ABOVE)),
+        **best.attributes(
+            settings, max(model.worst_error, _largest_error(dataset, model.rest)), ("bands", CLOSE_ABOVE)
+        ),
     }
     return dataset
 
@@ -150,7 +151,7 @@ class _FirstCurves:
         solutions = solved(model, self.path)
         self._solved = model, solutions
         curves = self._curves(solutions)
-        if self.settings.resolution or _largest_error(curves) <= self.settings.accuracy:
+        if self.settings.resolution or _largest_error(curves, model.rest) <= self.settings.accuracy:
             self.report(curves)
         return solutions
 
@@ -172,10 +173,10 @@ class _FirstCurves:
         return _curves_dataset(self.path, frequency, error).assign_attrs(scales(self.cell))
 
 
-def _largest_error(dataset: xr.Dataset) -> float:
-    """Largest relative error of the diagram, rigid motions excluded."""
+def _largest_error(dataset: xr.Dataset, rest: float) -> float:
+    """Largest relative error of the diagram, without modes below a frequency (Hz), see `BlochModel.rest`."""
     frequency = dataset["frequency"].values
-    moving = frequency > REST * frequency.max()
+    moving = frequency > rest
     return float((dataset["frequency_error"].values[moving] / frequency[moving]).max())
 
 

@@ -18,6 +18,8 @@ from haptonic.parallel import one_thread
 from haptonic.superelement import Tiling, on_each
 
 ABOVE = 2  # modes above the last band that may change places with it; with none, a tenth band was 1.3 % off
+# Multiple of the frequency that rounding gives modes at rest, below which rounding alone is an error of 6e-4
+ROUNDED = 30.0
 HALVES_DIVISIONS = 6  # of the zone's sides, for the wavevectors at which bands of each parity are counted
 ERROR_DIVISIONS = 3  # of the zone's sides, for the wavevectors at which errors of a model are estimated
 
@@ -212,14 +214,14 @@ class BlochModel:
             solution = self.solve(kappa)
             *_, left_out = self.fine.losses(solution.modes, solution.source.kappa)
             lost = interior_error(solution.values, left_out)
-            moving = solution.frequency > REST * self.highest
+            moving = solution.frequency > self.rest
             errors = np.stack([solution.error, solution.error - lost])[:, moving] / solution.frequency[moving]
             worst = np.maximum(worst, errors.max(axis=1, initial=0.0))
         return float(worst[0]), float(worst[1])
 
     @property
     def worst_error(self) -> float:
-        """Largest relative error on a coarse sampling of the irreducible zone, rest modes excluded."""
+        """Largest relative error on a coarse sampling of the irreducible zone, for modes above `rest`."""
         return self._worst[0]
 
     @property
@@ -235,6 +237,14 @@ class BlochModel:
         """
         corners = self.cell.zone.corner_phases.values()
         return max(float(self.frequencies(kappa)[-1]) for kappa in corners)
+
+    @cached_property
+    def rest(self) -> float:
+        """Frequency below which modes are rigid motions, or have errors that are mostly rounding, Hz.
+
+        No finer mesh reduces these errors.
+        """
+        return max(REST * self.highest, ROUNDED * float(hertz(np.array(self.fine.rounding))))
 
     def gradient(self, kappa: Array, values: Array, modes: Fields) -> Array:
         """(k, 2) exact derivatives of the frequencies with respect to the phases, Hz/rad.
