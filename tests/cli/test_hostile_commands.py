@@ -62,7 +62,7 @@ def test_a_plate_with_bad_names(inside, plated, tmp_path, region, _, actuator):
     response = read(out / "response.nc")
     assert (response.reference.name, response.reference.unit) == (actuator, "V")
     answer = inside("plate", path, "--json").json
-    assert {f"region {region}", f"actuator {actuator}"} < set(answer["maps"][0]["strain_energy_j"])
+    assert {f"region {region}", f"actuator {actuator}"} < set(answer["maps"][0]["strain_energy_j_per_v_2"])
     assert list(answer["maps"][0]["impedance_ohm"]) == [actuator]
 
 

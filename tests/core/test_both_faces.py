@@ -15,11 +15,12 @@ from daily import daily
 from five_parts import assert_explained
 from haptonic.bloch import BlochModel, Resolution, bands_dataset, gaps_of
 from haptonic.bloch.gaps import complete_gaps, parity_gaps
-from haptonic.bloch.guide import Guide, Wall
+from haptonic.bloch.guide import Guide
 from haptonic.bloch.layers import OUTGOING, Interface
 from haptonic.bloch.mirrors import condensed_rows
 from haptonic.bloch.settings import BandSettings, MeshSettings
 from haptonic.bloch.tracking import diagram
+from haptonic.bloch.wall import Wall
 from haptonic.cell import Pillar, UnitCell, mesh_cell
 from haptonic.errors import StudyError
 from haptonic.lattice import Lattice

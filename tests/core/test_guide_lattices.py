@@ -9,11 +9,12 @@ from five_parts import refusing
 from haptonic.bloch import Resolution
 from haptonic.bloch.guide import Guide, strip_mode
 from haptonic.bloch.ribbon import RibbonModel
+from haptonic.bloch.ribbon_modes import within
 from haptonic.bloch.rows import CondensedRows
 from haptonic.cell import Pillar, Ribbon, Rows, Site, UnitCell, rows as rows_of_cells
 from haptonic.errors import StudyError
 from haptonic.lattice import Lattice
-from haptonic.materials import IsotropicMaterial
+from haptonic.materials import IsotropicMaterial, material
 
 MM, KILOHERTZ = 1e-3, 2e3 * np.pi
 ALUMINIUM = IsotropicMaterial(youngs_modulus=70e9, poisson_ratio=0.33, density=2700.0, name="aluminium")
@@ -54,7 +55,7 @@ def test_what_leads_to_a_straight_line_changes_no_width(monkeypatch):
     assert far.width(72 * KILOHERTZ, 1) == pytest.approx(near.width(72 * KILOHERTZ, 1), rel=1e-3)
     edges = [guide.mode_at(72 * KILOHERTZ, 1).at_edge for guide in (near, far)]
     assert edges[0] == pytest.approx(edges[1], rel=5e-3)
-    walls = [guide.wall(72 * KILOHERTZ) for guide in (near, far)]
+    walls = [guide.walls(72 * KILOHERTZ)[0] for guide in (near, far)]
     assert walls[0].fixed_line == pytest.approx(walls[1].fixed_line, abs=0.01 * MM)
 
 
@@ -78,6 +79,42 @@ def test_a_strip_narrower_than_what_leads_to_the_line_is_refused():
 def test_rows_at_a_right_angle(lattice, along, crossing):
     perpendicular = Rows(UnitCell(lattice, 1 * MM, ALUMINIUM), along).crossing
     assert perpendicular in (crossing, crossing and tuple(-step for step in crossing))
+
+
+STEEL_TRIANGLES = UnitCell(
+    Lattice.square(10 * MM), 2 * MM, ALUMINIUM,
+    Pillar(4 * MM, 5 * MM, "polygon", sides=3, material=material("steel")),
+)  # fmt: skip
+
+
+@pytest.mark.parametrize("nodal_lines", [0, pytest.param(1, marks=pytest.mark.nightly)])
+def test_the_width_between_unequal_sides_is_that_of_a_ribbon(nodal_lines):
+    """Triangles turn a tip to the strip on one side and a base on the other, in equal crystals."""
+    along, omega = (9 * np.pi / 16, 54.5 * KILOHERTZ)
+    mesh = Resolution(3, 1)
+    right, left = (CondensedRows.of(STEEL_TRIANGLES, mesh, direction) for direction in ((0, 1), (0, -1)))
+    assert not right.rows.is_reversible(right.rows.turn[0])
+    guides = [Guide.of(*sides) for sides in (
+        (right, along / (10 * MM)), (left, along / (10 * MM)), (right, along / (10 * MM), left)
+    )]  # fmt: skip
+    modes = [guide.mode_at(omega, nodal_lines) for guide in guides]
+    widths = [mode.width for mode in modes]
+    assert abs(widths[0] - widths[1]) > 0.08 * widths[2] / (1 + nodal_lines)
+    assert widths[2] == pytest.approx(np.mean(widths[:2]), rel=1e-12)
+    plain = UnitCell(Lattice.rectangular(widths[2], 10 * MM), 2 * MM, ALUMINIUM)
+    ribbon = Ribbon((STEEL_TRIANGLES,) * 3 + (plain,) + (STEEL_TRIANGLES,) * 3)
+    waves = RibbonModel.of(ribbon, mesh).solve(along, 53e3, 56e3)
+    share = within(waves.energy, ribbon.guide)
+    assert waves.frequency[share.argmax()] == pytest.approx(54.5e3, rel=2e-3)
+    # of this width, the mode lies at the same frequency, and about the same point
+    between = 53.5 * KILOHERTZ, 55.5 * KILOHERTZ
+    again = guides[2].mode(widths[2], nodal_lines, between)
+    assert again.omega == pytest.approx(omega, rel=1e-4)
+    assert again.shift == pytest.approx(0.25 * (widths[1] - widths[0]), rel=1e-2)
+    mode = modes[2]
+    assert mode.position[[0, -1]] == pytest.approx([-0.5 * widths[2], 0.5 * widths[2]], rel=1e-9)
+    assert (np.diff(mode.position) > 0).all()
+    assert mode.amplitude.max() == pytest.approx(1.0)
 
 
 @pytest.mark.nightly

@@ -137,7 +137,7 @@ def shown_whole(result, regions, drives, folder: Path):
     assert all("".join(name.split()) in text for name in (*regions, drives[0]))
     answer = result.to_json()["maps"][0]
     parts = {*(f"region {name}" for name in regions), f"actuator {drives[0]}"}
-    assert set(answer["strain_energy_j"]) == parts
+    assert set(answer["strain_energy_j_per_v_2"]) == parts
     assert set(answer["impedance_ohm"]) == {drives[0]}
 
 

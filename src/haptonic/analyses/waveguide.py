@@ -14,12 +14,11 @@ from haptonic.analyses.needs import has_mirror, need_carrier, need_rows
 from haptonic.analyses.options import PageOption, option
 from haptonic.analyses.runner import Runner
 from haptonic.analyses.support import every_cell
-from haptonic.arrays import Array
 from haptonic.bloch.candidates import best_model
 from haptonic.bloch.gaps import need_gap_at
 from haptonic.bloch.guide_fields import guides_dataset
 from haptonic.bloch.layers import plain_plate
-from haptonic.bloch.mirrors import condensed_rows
+from haptonic.bloch.mirrors import condensed_rows, opposite_rows
 from haptonic.bloch.plate_waves import mirror_across
 from haptonic.bloch.settings import WaveguideSettings
 from haptonic.bloch.waveguides import closing, strip_of, strips_dataset
@@ -59,10 +58,9 @@ def chosen_settings(study: Description, options: WaveguideOptions) -> WaveguideS
     need_rows(study, "waveguide")
     settings = study.waveguide_settings
     rows = Rows(study.cell, settings.direction)
-    _need_equal_sides(rows, rows.turn[0])
     if settings.ends == "mirror":
         closing(rows)
-        _need_equal_sides(rows, rows.turn[1])
+    _need_equal_sides(rows, settings)
     if options.mode is None:
         return settings
     try:
@@ -77,31 +75,25 @@ def chosen_settings(study: Description, options: WaveguideOptions) -> WaveguideS
         ) from None
 
 
-def _need_equal_sides(rows: Rows, across: Array) -> None:
-    """Refuse a crystal whose two sides of a strip reflect waves differently.
-
-    across : (2,) direction from one side to the other
-    """
-    cell = rows.cell
-    if not rows.is_reversible(across):
+def _need_equal_sides(rows: Rows, settings: WaveguideSettings) -> None:
+    """Refuse a plate and ends whose two sides differ."""
+    cell, (across, along) = rows.cell, rows.turn
+    if not is_symmetry(cell.material.stiffness, mirror_across(across)):
         raise StudyError.unsupported(
-            argument="waveguide.along",
-            given=str(list(rows.along)),
-            allowed="a direction for which the crystals on both sides of the strip, or at both ends, are "
-            "images of each other in a mirror or a half turn",
-            cause="this cell has no such symmetry, so both sides reflect waves differently; modes are "
-            "computed from equal ones",
-            next_step="choose another direction, or compute the strip as a ribbon: `haptonic ribbon`",
+            argument="material.turn",
+            given=f"a plate of {cell.material.name}",
+            allowed="a plate in which the direction across the strip is an axis of symmetry",
+            cause="waves to both sides of this strip differ; its modes are computed from equal ones",
+            next_step="turn the crystal, or compute the strip as a ribbon: `haptonic ribbon`",
         )
-    if is_symmetry(cell.material.stiffness, mirror_across(across)):
-        return
-    raise StudyError.unsupported(
-        argument="material.turn",
-        given=f"a plate of {cell.material.name}",
-        allowed="a plate in which the direction across the strip is an axis of symmetry",
-        cause="waves to both sides of this strip differ; its modes are computed from equal ones",
-        next_step="turn the crystal, or compute the strip as a ribbon: `haptonic ribbon`",
-    )
+    if settings.ends == "mirror" and not rows.is_reversible(along):
+        raise StudyError.unsupported(
+            argument="waveguide.ends",
+            given="mirror",
+            allowed="a cell whose rows at both ends are images of each other, or free ends",
+            cause="they are images of each other in no mirror and no half turn, so their phases differ",
+            next_step='write ends = "free", or another direction along',
+        )
 
 
 @one_thread()
@@ -118,6 +110,7 @@ def compute(study: Description, options: WaveguideOptions, runner: Runner) -> Gu
     best = best_model(cell, settings)
     resolution, share = best.model.resolution, best.model.worst_error
     lattice = condensed_rows(cell, resolution, waveguide.direction)
+    opposite = opposite_rows(cell, resolution, waveguide.direction)
     closed_by = None
     if waveguide.ends == "mirror":
         closed_by = condensed_rows(cell, resolution, closing(lattice.rows))
@@ -130,7 +123,7 @@ def compute(study: Description, options: WaveguideOptions, runner: Runner) -> Gu
     strips, refusal = [], None
     for count in lengths:
         try:
-            strips.append(strip_of(lattice, gap, carrier, waveguide, count, closed_by, share))
+            strips.append(strip_of(lattice, gap, carrier, waveguide, count, closed_by, share, opposite))
         except StudyError as error:
             refusal = error
     if not strips:
@@ -142,7 +135,7 @@ def compute(study: Description, options: WaveguideOptions, runner: Runner) -> Gu
             )  # fmt: skip
         raise refusal
     dataset = strips_dataset(strips)
-    if options.html:
+    if options.html and opposite is None:
         dataset = dataset.merge(guides_dataset(lattice, [strip.mode for strip in strips]))
     dataset.attrs = {
         "carrier_hz": carrier,
@@ -150,6 +143,7 @@ def compute(study: Description, options: WaveguideOptions, runner: Runner) -> Gu
         "mode": f"{across}x{along}",
         "ends": waveguide.ends,
         "period": period,
+        "equal_sides": int(opposite is None),
         "gap": list(gap.edges),
         "mesh": json.dumps(asdict(lattice.plan)),
         **scales(cell),

@@ -8,10 +8,11 @@ import numpy as np
 
 from haptonic.arrays import Array, Complex
 from haptonic.bloch.face_grid import STEPS, FaceGrid, middles
-from haptonic.bloch.guide import GuidedMode, Wall
+from haptonic.bloch.guide import GuidedMode
 from haptonic.bloch.layers import Interface
 from haptonic.bloch.row_fields import SlabFields
 from haptonic.bloch.rows import CondensedRows
+from haptonic.bloch.wall import Wall
 from haptonic.gate import titled
 from haptonic.later import xarray as xr
 

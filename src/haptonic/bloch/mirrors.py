@@ -16,7 +16,7 @@ from haptonic.bloch.plate_waves import FAMILIES
 from haptonic.bloch.resolution import Resolution
 from haptonic.bloch.row_fields import RowFields, WaveField
 from haptonic.bloch.rows import CondensedRows
-from haptonic.cell import UnitCell
+from haptonic.cell import Rows, UnitCell
 from haptonic.errors import StudyError
 from haptonic.gate import WORD, declared, titled
 from haptonic.later import xarray as xr
@@ -35,6 +35,14 @@ LEAST_SHARE = 1e-30  # of the energy; smaller shares are rounding errors
 def condensed_rows(cell: UnitCell, resolution: Resolution, along: tuple[int, int] = (0, 1)) -> CondensedRows:
     """Condense rows of a cell, cached for the next task of a worker."""
     return CondensedRows.of(cell, resolution, along)
+
+
+def opposite_rows(cell: UnitCell, resolution: Resolution, along: tuple[int, int]) -> CondensedRows | None:
+    """Rows on the left of a strip, turned by half a turn; None if they are images of those on the right."""
+    rows = Rows(cell, along)
+    if rows.is_reversible(rows.turn[0]):
+        return None
+    return condensed_rows(cell, resolution, (-along[0], -along[1]))
 
 
 @dataclass(frozen=True)

@@ -9,8 +9,7 @@ import numpy as np
 
 from haptonic.bloch.evanescent import bloch_waves
 from haptonic.bloch.gaps import Gap
-from haptonic.bloch.guide import Guide, GuidedMode, Wall, along_strip, strip_mode
-from haptonic.bloch.layers import Interface
+from haptonic.bloch.guide import Guide, GuidedMode, along_strip, strip_mode
 from haptonic.bloch.rows import CondensedRows
 from haptonic.bloch.settings import WaveguideSettings
 from haptonic.cell import Rows
@@ -74,6 +73,7 @@ def strip_of(
     rows: int,
     closed_by: CondensedRows | None,
     share: float,
+    opposite: CondensedRows | None = None,
 ) -> Strip:
     """Compute the waveguide of a length in cells with its mode at the carrier (Hz), or with a given width.
 
@@ -85,23 +85,22 @@ def strip_of(
     Parameters
     ----------
     gap : that contains the carrier; closed_by : rows at the ends, None for free ends
-    share : relative error of the lattice's frequencies
+    share : relative error of the lattice's frequencies; opposite : see `Guide.of`
     """
     omega, length = 2 * np.pi * carrier, rows * lattice.rows.period
     (across, along), width = waveguide.nodal_lines, waveguide.width
     if width is None:
         wavenumber = along_strip(omega, length, along, closed_by)
-        guided_mode = Guide.of(lattice, wavenumber).mode_at(omega, across)
+        guided_mode = Guide.of(lattice, wavenumber, opposite).mode_at(omega, across)
     else:
         inside = INSET * (gap.upper - gap.lower)
         between = 2 * np.pi * (gap.lower + inside), 2 * np.pi * (gap.upper - inside)
         guided_mode = strip_mode(
             lattice, width=width, length=length, intervals=along, nodal_lines=across, between=between,
-            closed_by=closed_by,
+            closed_by=closed_by, opposite=opposite,
         )  # fmt: skip
-    interface = Interface.of(lattice, guided_mode.wavenumber)
-    wall = Wall.of(interface, guided_mode.omega)
-    assert wall is not None
+    guide = Guide.of(lattice, guided_mode.wavenumber, opposite)
+    interface = guide.interface
     change = share if width is None else 2 * share  # relative, of the frequency
     decay, *others = (
         lattice.decay(bloch_waves(interface.slab.at(at), at)[0])
@@ -111,7 +110,7 @@ def strip_of(
         rows=rows,
         length=length,
         mode=guided_mode,
-        fixed_line=wall.fixed_line,
+        fixed_line=float(np.mean([wall.fixed_line for wall in guide.walls(guided_mode.omega)])),
         decay=decay,
         decay_error=max(abs(other - decay) for other in others) + share * decay,
     )

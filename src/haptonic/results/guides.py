@@ -91,6 +91,14 @@ class Guides(Result):
 
     _page = page("waveguide.html", when=lambda result: "mode_real" in result.dataset)
 
+    def remarks(self) -> list[str]:
+        if self.dataset.attrs["equal_sides"]:
+            return []
+        return [
+            "the crystals on both sides of the strip are no images of each other: its width is the mean of "
+            "those of two strips with equal sides, and no page shows its wave; `haptonic ribbon` draws it"
+        ]
+
     def view(self) -> InteractiveView | None:
         """Interactive view of the waveguides; None if the fields of their modes were not computed."""
         if "mode_real" not in self.dataset:
