@@ -90,8 +90,8 @@ def _need_equal_sides(rows: Rows, settings: WaveguideSettings) -> None:
         raise StudyError.unsupported(
             argument="waveguide.ends",
             given="mirror",
-            allowed="a cell whose rows at both ends are images of each other, or free ends",
-            cause="they are images of each other in no mirror and no half turn, so their phases differ",
+            allowed="a cell that a mirror or a half turn reverses along the strip, or free ends",
+            cause="the crystals at the two ends reflect waves with different phases",
             next_step='write ends = "free", or another direction along',
         )
 

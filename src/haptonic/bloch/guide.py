@@ -1,7 +1,8 @@
 """Modes of a strip of plain plate between two lattices, which reflect flexural waves within their gap.
 
-If the lattices are no images of each other, only one wave is exchanged between them, and only its phases
-matter: the strip is as wide as the mean of two strips, each between two images of one of the lattices.
+If neither a mirror nor a half turn maps one lattice onto the other, only one wave is exchanged between
+them, and only its phases matter: the strip is as wide as the mean of two strips, each between two images
+of one of the lattices.
 """
 
 from __future__ import annotations

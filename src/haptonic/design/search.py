@@ -209,7 +209,7 @@ def distinct(visits: Sequence[Visited], apart: float) -> list[Visited]:
 def climb(
     brief: Brief, start: Array, band: int, offset: tuple[float, float], most: int
 ) -> tuple[list[Visited], bool]:
-    """Better and better designs from a start, for the gap above one band, until no step helps.
+    """Improve a design step by step for the gap above one band, until no step helps.
 
     Parameters
     ----------

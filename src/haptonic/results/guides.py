@@ -95,8 +95,9 @@ class Guides(Result):
         if self.dataset.attrs["equal_sides"]:
             return []
         return [
-            "the crystals on both sides of the strip are no images of each other: its width is the mean of "
-            "those of two strips with equal sides, and no page shows its wave; `haptonic ribbon` draws it"
+            "the crystals on the two sides of the strip are not mirror images, and no half turn maps one "
+            "onto the other: the width is the mean of those of two strips with equal sides, and no page "
+            "shows the wave; `haptonic ribbon` draws it"
         ]
 
     def view(self) -> InteractiveView | None:
