@@ -92,8 +92,6 @@ def computed_waves(
         between = 2 * np.pi * (gap.lower + inside), 2 * np.pi * (gap.upper - inside)
         middle = plain.wavenumber(0.5 * sum(between), 0.0, "A0") or 0.0
         for row, (width, along) in enumerate(widths):
-            if not rows(along).rows.is_reversible(rows(along).rows.turn[0]):
-                continue  # modes are computed from equal crystals on both sides
             for step, k in enumerate(middle * np.linspace(*REACH, STEPS)):
                 if width <= 2 * rows(along).setback:
                     continue  # the transition layers at its faces take up all of the strip
