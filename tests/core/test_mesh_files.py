@@ -17,7 +17,7 @@ pytest.importorskip("ngsolve")
 
 from cad_cells import occ, prism
 from haptonic.foreign import meshes, solids
-from haptonic.foreign.elements import NamedElements, read_elements
+from haptonic.foreign.elements import CORNERS, EDGES, SHAPES, NamedElements, read_elements
 from mesh_cells import hexahedra, tetrahedra, write
 
 MM = 1e-3
@@ -215,6 +215,34 @@ class TestGroups:
         assert {name: members.tolist() for name, members in groups.items()} == {
             "plate": [0], "pillar": [1], "all": [1],
         }  # fmt: skip
+
+    def test_quadratic_prisms_and_pyramids_of_gmsh_have_their_midpoints(self, tmp_path):
+        """One of each, with the order of midpoints from the manual of Gmsh."""
+        of_gmsh = {
+            "wedge": (18, ((0, 1), (0, 2), (0, 3), (1, 2), (1, 4), (2, 5), (3, 4), (3, 5), (4, 5))),
+            "pyramid": (19, ((0, 1), (0, 3), (0, 4), (1, 2), (1, 4), (2, 3), (2, 4), (3, 4))),
+        }
+        corners = {
+            "wedge": [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (0, 1, 1)],
+            "pyramid": [(2, 0, 0), (3, 0, 0), (3, 1, 0), (2, 1, 0), (2.5, 0.5, 1)],
+        }
+        places, elements = [], []
+        for kind, (number, edges) in of_gmsh.items():
+            own = np.array(corners[kind], dtype=float)
+            nodes = np.concatenate([own, [own[list(edge)].mean(axis=0) for edge in edges]])
+            elements.append([number, 2, 1, 1, *range(len(places) + 1, len(places) + len(nodes) + 1)])
+            places += nodes.tolist()
+        lines = ["$MeshFormat", "2.2 0 8", "$EndMeshFormat", "$Nodes", str(len(places))]
+        lines += [f"{n} {x} {y} {z}" for n, (x, y, z) in enumerate(places, start=1)]
+        lines += ["$EndNodes", "$Elements", "2"]
+        lines += [f"{n} {' '.join(map(str, row))}" for n, row in enumerate(elements, start=1)]
+        (tmp_path / "cell.msh").write_text("\n".join([*lines, "$EndElements"]) + "\n")
+        read = read_elements(str(tmp_path / "cell.msh"))
+        assert {kind for kind, _ in read.blocks} == {"wedge15", "pyramid13"}
+        for kind, nodes in read.blocks:
+            at = read.points[nodes[0]]
+            ends = np.array(EDGES[SHAPES[kind]])
+            assert at[CORNERS[SHAPES[kind]] :] == pytest.approx(at[ends].mean(axis=1))
 
     def test_nastran_files_may_be_the_bulk_data_alone(self, tmp_path):
         whole = write(tmp_path / "cell.bdf", *PILLAR)

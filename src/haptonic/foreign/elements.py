@@ -96,6 +96,14 @@ def of_elements(
     return points[used], [(kind, np.searchsorted(used, nodes)) for kind, nodes in blocks]
 
 
+def _meshio() -> Any:
+    """Import meshio; its readers know quadratic prisms and pyramids, its table of dimensions lacks them."""
+    import meshio
+
+    meshio._mesh.topological_dimension.update(wedge15=3, pyramid13=3)
+    return meshio
+
+
 def _of_meshio(mesh: Any, labels: dict[str, str]) -> NamedElements:
     """Convert meshio's result; numbers of groups get the label of their array, ``material 3``."""
     blocks = [(block.type, np.asarray(block.data, dtype=np.int64)) for block in mesh.cells]
@@ -112,8 +120,7 @@ def _of_meshio(mesh: Any, labels: dict[str, str]) -> NamedElements:
 
 
 def _vtk(path: str) -> NamedElements:
-    import meshio
-
+    meshio = _meshio()
     read = meshio.vtu.read if path.lower().endswith(".vtu") else meshio.vtk.read
     return _of_meshio(read(path), {})
 
@@ -123,9 +130,7 @@ def _gmsh(path: str) -> NamedElements:
 
     Geometrical entities are groups only if there are no physical ones: ``volume 1``.
     """
-    import meshio
-
-    mesh = meshio.gmsh.read(path)
+    mesh = _meshio().gmsh.read(path)
     labels = {"gmsh:physical": "group", "gmsh:geometrical": "volume"}
     if any(np.any(tags) for tags in mesh.cell_data.get("gmsh:physical", [])):
         del mesh.cell_data["gmsh:geometrical"]
@@ -146,8 +151,6 @@ def _gmsh(path: str) -> NamedElements:
 
 def _nastran(path: str) -> NamedElements:
     """Read Nastran; properties are groups, ``property 3``. A file may contain only the bulk data."""
-    import meshio
-
     text = Path(path).read_text("latin-1").upper()
     if re.search(r"^C(TETRA|HEXA|PENTA|PYRAM?)\*", text, re.MULTILINE):
         raise RefusedMesh("text", text="elements in the large field format (CTETRA*)")
@@ -155,7 +158,7 @@ def _nastran(path: str) -> NamedElements:
         raise RefusedMesh("text", text="INCLUDE, which reads another file")
     start = re.search(r"^\s*BEGIN\s+BULK.*$", text, re.MULTILINE)
     bulk = text[start.end() :] if start else text
-    mesh = meshio.nastran.read(io.StringIO(f"BEGIN BULK\n{bulk}\nENDDATA\n"))
+    mesh = _meshio().nastran.read(io.StringIO(f"BEGIN BULK\n{bulk}\nENDDATA\n"))
     if np.any(mesh.point_data.get("nastran:ref", 0)):
         raise RefusedMesh("text", text="nodes (GRID) in a separate coordinate system (CP)")
     return _of_meshio(mesh, {"nastran:ref": "property"})
