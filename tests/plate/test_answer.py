@@ -258,6 +258,16 @@ def test_a_light_finger_takes_its_share_of_a_mode():
 # -- completeness -------------------------------------------------------------------------------------
 
 
+def test_modes_of_a_band_above_others_are_those_of_the_dense_matrices():
+    """Without the modes below, the bases of the last three bands have a Ritz value that is no mode."""
+    free = Plate(drawn("oooooooo o11oo22o o11oo22o oooooooo"), loss_factor=LOSS)
+    model = PlateModel.of(free, 90e3, COARSE)
+    every = np.sqrt(np.abs(la.eigh(*lossless(model), eigvals_only=True))) / HZ
+    for low, high in ((56e3, 65e3), (78e3, 90e3), (70e3, 80e3), (74e3, 86e3)):
+        dense = every[(every > low) & (every < high)]
+        assert modes_between(Band.of(model, low, high), low, high).frequency == pytest.approx(dense, rel=1e-6)
+
+
 def test_a_basis_has_all_dense_modes_where_it_is_complete():
     basis = busy_band().reduced.basis
     low, high = basis.complete

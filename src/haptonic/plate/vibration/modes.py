@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from haptonic.arrays import Array
 from haptonic.plate.body.model import impedance
@@ -43,10 +44,11 @@ def modes_between(band: Band, low: float, high: float) -> PlateModes:
     """Compute the modes of a band between two frequencies, Hz."""
     model, basis = band.reduced.model, band.reduced.basis
     assembly, factors = model.assembly, model.factors
+    around, error = _modes_around(band, low, high)
     square = (2 * np.pi * np.array([low, high])) ** 2
-    picked = np.flatnonzero((basis.values >= square[0]) & (basis.values <= square[1]))
+    inside = (basis.values[around] >= square[0]) & (basis.values[around] <= square[1])
+    picked, error = around[inside], error[inside]
     vectors, values = basis.vectors(picked), basis.values[picked]
-    residual = assembly.stiffness_times(vectors) - values * assembly.mass_times(vectors)
     blocks = len(assembly.skeleton.blocks)
     stored = {part: np.zeros((len(values), blocks)) for part in factors}
     for group, share in assembly.shares(vectors):
@@ -68,7 +70,7 @@ def modes_between(band: Band, low: float, high: float) -> PlateModes:
         quality = 1 / total
     return PlateModes(
         frequency=np.sqrt(values) / (2 * np.pi),
-        error=_residual_error(band, residual, values),
+        error=error,
         quality=quality,
         stored=stored,
         lost={part: share / np.where(total > 0, total, 1.0) for part, share in loss.items()},
@@ -76,7 +78,29 @@ def modes_between(band: Band, low: float, high: float) -> PlateModes:
     )
 
 
-def _residual_error(band: Band, residual: Array, values: Array) -> Array:
+def _modes_around(band: Band, low: float, high: float) -> tuple[NDArray[np.int64], Array]:
+    """Ritz values that are modes, between the nearest shifts around two frequencies, Hz.
+
+    A basis without the modes below a band has Ritz values that are no modes, with errors near 1. The number
+    of modes between two shifts is known from the inertia there; they are the Ritz values with the smallest
+    errors.
+
+    Returns
+    -------
+    (k,) their numbers, ascending, and (k,) their relative errors, see `_residual_error`
+    """
+    basis, square = band.reduced.basis, (2 * np.pi * np.array([low, high])) ** 2
+    start = max((shift for shift in basis.below if shift <= square[0]), default=square[0])
+    end = min((shift for shift in basis.below if shift >= square[1]), default=square[1])
+    around = np.flatnonzero((basis.values >= start) & (basis.values <= end))
+    error = _residual_error(band, basis.vectors(around), basis.values[around])
+    if start in basis.below and end in basis.below:
+        modes = np.sort(error.argsort()[: basis.below[end] - basis.below[start]])
+        around, error = around[modes], error[modes]
+    return around, error
+
+
+def _residual_error(band: Band, vectors: Array, values: Array) -> Array:
     """(k,) relative errors of frequencies: half the residual in the norm of the inverse of K + lambda M.
 
     For ``(K - lambda M) v = r`` an eigenvalue lies within ``|r| |v|`` of lambda in these norms, relative to
@@ -84,7 +108,9 @@ def _residual_error(band: Band, residual: Array, values: Array) -> Array:
     """
     if not len(values):
         return np.zeros(0)
-    shifted = band.reduced.model.assembly.shifted(-float(values.mean()))
+    assembly = band.reduced.model.assembly
+    residual = assembly.stiffness_times(vectors) - values * assembly.mass_times(vectors)
+    shifted = assembly.shifted(-float(values.mean()))
     dual = np.sqrt(np.einsum("nk,nk->k", residual, shifted.solve(residual)))
     shifted.release()
     return np.asarray(dual / np.sqrt(2 * values))
