@@ -294,6 +294,7 @@ class TestEffects:
         few = stopped(*(drawn(3, population=Population(r, 0.01)) for r in (0.55, 0.11)))
         assert "3 participants" in few.note
         vague = stopped(drawn(3), drawn(3, seed=1))
+        assert math.isnan(vague.value)
         assert math.isnan(vague.low)
         assert "may be zero" in vague.note
         refused(lambda: stopped_here(drawn(3), drawn(4)), "P4", code="mismatch", argument="pairs")

@@ -34,7 +34,8 @@ def reported(result: FrictionResult) -> list[str]:
         sentences.append(f"Driven: {summary.driven}, {summary.chosen}.")
     for guide, estimate in summary.stopped.items():
         sentences.append(f"Share of the reduction that does not reach {guide}: {_estimated(estimate)}.")
-        sentences.append(f"Bootstrap estimate of this share: {_estimated(summary.stopped_here[guide])}.")
+        if math.isfinite(estimate.value):
+            sentences.append(f"Bootstrap estimate of this share: {_estimated(summary.stopped_here[guide])}.")
     for same in summary.equivalences:
         form = share_form(same.low, same.high)
         proof = same.note or (
@@ -153,7 +154,9 @@ def _spread(pair: tuple[float, float], digits: int) -> str:
 
 
 def _estimated(estimate: IntervalEstimate) -> str:
-    """Share with its interval, and the reason if it has none."""
+    """Share with its interval, or the reason why it has none."""
+    if math.isnan(estimate.value):
+        return f"not determined; {estimate.note}"
     return f"{share_text(estimate.value, estimate.low, estimate.high)}{_note(estimate)}"
 
 

@@ -56,7 +56,8 @@ def reduction(pairs: Pairs) -> IntervalEstimate:
 def stopped(driven: Pairs, idle: Pairs) -> IntervalEstimate:
     """Share of the driven region's reduction that does not reach the idle region, about 0.8 as published.
 
-    Student's interval over participants, for the population, linearised as in `reduction`.
+    Student's interval over participants, for the population, linearised as in `reduction`. The share is NaN
+    if the driven region's reduction may be zero.
 
     Raises
     ------
@@ -66,14 +67,14 @@ def stopped(driven: Pairs, idle: Pairs) -> IntervalEstimate:
     if driven.reduction == 0:
         return IntervalEstimate(math.nan, math.nan, math.nan, "no reduction on the driven region")
     shares = idle.reduction / driven.reduction
-    value = 1 - shares
     least = reduction(driven)
     if len(driven.people) >= 2 and not (least.low > 0 or least.high < 0):
-        note = "the driven region's reduction may be zero: a share of it has no interval"
-        return IntervalEstimate(value, math.nan, math.nan, note)
+        return IntervalEstimate(
+            math.nan, math.nan, math.nan, "the reduction on the driven region may be zero"
+        )
     place = [idle.people.index(name) for name in driven.people]
     apart = shares * _contributions(driven) - _contributions(idle)[place]
-    return _among_people(value, apart / driven.reduction)
+    return _among_people(1 - shares, apart / driven.reduction)
 
 
 def reduction_here(pairs: Pairs, *, draws: int = DRAWS, seed: int = 0) -> IntervalEstimate:

@@ -62,6 +62,9 @@ def _reductions(result: FrictionResult, published: Mapping[str, float] | None) -
         reference = measured("driven" if guide == summary.driven else "idle")
         findings.append(f"{guide}: {change(estimate.value, estimate.low, estimate.high)}{reference}.")
     for guide, estimate in summary.stopped.items():
+        if math.isnan(estimate.value):
+            findings.append(f"{guide}: no share of the driven reduction is determined; {estimate.note}.")
+            continue
         share = share_text(estimate.value, estimate.low, estimate.high)
         findings.append(f"{share} of the driven reduction does not reach {guide}{measured('stopped')}.")
     return findings
