@@ -583,6 +583,21 @@ def test_every_band_holds_one_state_per_cell():
     assert np.abs(density[inside]).max() == 0
 
 
+def test_no_bin_of_states_contains_an_edge_of_a_gap():
+    """Each band beside a gap has one state per cell within its own bins, and the gap has no states."""
+    surface = zone_surface(small_model(), 8)
+    edges = surface.density_edges()
+    states = surface.density_of_states(edges) * np.diff(edges)
+    (gap,) = complete_gaps(small_model())
+    below, above = gap.between[0], gap.between[1]
+    upper, lower = surface.frequency[:, below - 1].max(), surface.frequency[:, above - 1].min()
+    inside = (edges[1:] > upper * (1 + 1e-5)) & (edges[:-1] < lower * (1 - 1e-5))
+    assert inside.any()
+    assert states[inside].max() == 0
+    assert states[edges[1:] < upper * (1 + 1e-5)].sum() == pytest.approx(below, rel=1e-9)
+    assert states.sum() == pytest.approx(8, rel=1e-9)
+
+
 @settings(deadline=None)
 @given(
     st.floats(1e3, 1e6),

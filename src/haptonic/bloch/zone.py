@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Self
 
 import numpy as np
@@ -27,7 +28,8 @@ from haptonic.later import xarray as xr
 from haptonic.lattice import Lattice, Operation, PointGroup
 from haptonic.superelement import JointImage
 
-DENSITY_BINS = 200  # from zero to the highest frequency
+DENSITY_BINS = 200  # from zero to the highest frequency, about
+BESIDE = 1e-6  # of the highest frequency, by which a bin of states goes beyond the edges of a gap
 
 
 @dataclass(frozen=True)
@@ -65,7 +67,7 @@ class ZoneSurface:
 
     def dataset(self) -> xr.Dataset:
         """Samples and density of states; `of_dataset` reads the samples."""
-        edges = np.linspace(0.0, self.frequency.max(), DENSITY_BINS + 1)
+        edges = self.density_edges()
         variables = {
             "zone_kappa": (("zone_point", "axis"), self.kappa, "rad", "phases over the irreducible zone"),
             "zone_triangle": (("triangle", "vertex"), self.triangles, "1", "triangles of the sampling"),
@@ -75,8 +77,22 @@ class ZoneSurface:
                 "bin", self.density_of_states(edges), "1/Hz", "states per cell and hertz",
             ),
             "density_frequency": ("bin", 0.5 * (edges[:-1] + edges[1:]), "Hz", "middle of the bin"),
+            "density_width": ("bin", np.diff(edges), "Hz", "width of the bin"),
         }  # fmt: skip
         return titled(variables)
+
+    def density_edges(self) -> Array:
+        """(bins + 1,) frequencies, Hz; no bin contains both states and a part of a gap between two bands."""
+        top = float(self.frequency.max())
+        upper, lower = self.frequency.max(axis=0)[:-1], self.frequency.min(axis=0)[1:]
+        gap = lower - upper > 3 * BESIDE * top
+        beside = np.stack([upper[gap] + BESIDE * top, lower[gap] - BESIDE * top], axis=1)
+        ends = [0.0, *beside.ravel().tolist(), top]
+        parts = [
+            np.linspace(low, high, max(1, round((high - low) / top * DENSITY_BINS)), endpoint=False)
+            for low, high in pairwise(ends)
+        ]
+        return np.append(np.concatenate(parts), top)
 
     def density_of_states(self, edges: Array) -> Array:
         """(bins,) states per cell and Hz between the given frequencies (bins + 1,).

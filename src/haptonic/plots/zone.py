@@ -23,6 +23,8 @@ LEVELS = 9  # lines of equal frequency
 SHARP, OFTEN = np.radians(15.0), 0.2  # least turns to and from, and their share of the points, of a zigzag
 EDGE, ROOM = 0.14, 0.12  # of the zone, that a value keeps from its border, and from another value
 LEVEL = 0.15  # largest slope of a line where its value is written upright, so that it hides no others
+# of the median width, and of the largest density of wider bins: narrower bins may be cut off
+NARROW, TALLEST = 0.5, 1.5
 FEW = 2  # values on lines, below which also lines between them have theirs
 
 
@@ -137,17 +139,18 @@ def density_of_states(dataset: xr.Dataset, *, ax: Axes | None = None) -> Figure:
     """States per cell and kHz against frequency; complete gaps shaded.
 
     Above the lowest frequency of the highest band, states of bands that were not computed are missing: that
-    range is grey.
+    range is grey. Bands that are much narrower than a bin may reach beyond the top.
     """
     on = stage(ax, 7.5)
     axes = on.axes
-    middle = dataset["density_frequency"].values / 1e3
+    middle, width = (dataset[name].values / 1e3 for name in ("density_frequency", "density_width"))
     density = dataset["density_of_states"].values * 1e3
-    edges = np.linspace(0, middle[0] + middle[-1], len(middle) + 1)
+    edges = np.append(middle - 0.5 * width, middle[-1] + 0.5 * width[-1])
     end = edges[-1]
     whole = float(dataset["zone_frequency"][:, -1].min()) / 1e3
+    common = density[width > NARROW * np.median(width)].max()
     axes.set_xlim(0, end)
-    axes.set_ylim(0, 1.08 * density.max())
+    axes.set_ylim(0, 1.08 * min(density.max(), TALLEST * common or np.inf))
     names = []
     for lower, upper, lower_error, upper_error in complete_gaps(dataset):
         axes.axvspan(
