@@ -62,7 +62,7 @@ def guides_of(layout: Layout) -> list[Guiding]:
             continue
         width = layout.x[columns[-1] + 1] - layout.x[columns[0]]
         height = layout.y[rows[-1] + 1] - layout.y[rows[0]]
-        along: Axis = "x" if width > height else "y"
+        along: Axis = "x" if width > height * (1 + CLOSE) else "y"
         sides = [mirror for mirror in _mirrors(layout, name) if mirror.depth != along and mirror.symmetric]
         faces = [mirror.face for mirror in sides if mirror.face is not None]
         between = sides[0].name if len(sides) == 2 and len({side.name for side in sides}) == 1 else None

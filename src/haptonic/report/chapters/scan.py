@@ -95,8 +95,9 @@ def _everywhere(plate: PlateResult, scan: ScanResult) -> list[str]:
         if not given.any():
             return [f"{name} is not determined at any frequency because of noise."]
         worst = int(np.nanargmax(off))
+        hidden = "" if given.all() else "; noise hides it at the others"
         text = (
-            f"{name} is determined at {given.sum()} of {len(off)} frequencies; noise hides it at the others. "
+            f"{name} is determined at {given.sum()} of {len(off)} frequencies{hidden}. "
             f"It is within {CLOSE:g} dB of the computed contrast at {(off < CLOSE).sum()} of them. The "
             f"largest difference is {off[worst]:.2f} dB, at "
             f"{hz_text(plate.response.frequency[worst], form='.3g')}."

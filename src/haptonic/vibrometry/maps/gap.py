@@ -89,7 +89,8 @@ def measured_gap(
             argument="measured_gap",
             given=f"a contrast of {over} over {lattice} between {outside:.3g} and {inside:.3g} dB",
             allowed=f"one that rises by {LEAST_STEP:g} dB or more",
-            cause="the gap lies outside of the measured range, or noise hides the low level of the lattice",
+            cause="the gap lies outside of the measured range or fills it, the lattice has few rows, or "
+            "noise hides its low level",
             next_step="look at the contrast against frequency; measure a wider range, with more averages",
         )
     edges = _edges(lines, level, outside, inside, 0.5)
