@@ -27,12 +27,13 @@ from haptonic.plots.marks import LINE, Gap
 from haptonic.plots.moving import moving
 from haptonic.plots.plates import HALO, region_borders, rows_of
 from haptonic.plots.stage import Stage, stage
-from haptonic.plots.text import absolute, driven, label, short
+from haptonic.plots.text import LETTER, absolute, driven, label, short
 from haptonic.response import FrequencyResponse
 from haptonic.response.rasters import point_map
 from haptonic.units import hz_text
 
 LOW = 0.45  # height over width of a map, below which maps are one above another
+BAR = 0.9  # of the width of a figure, for the text below its colour bar
 LETTERS = 26  # in a line above or below one of several maps
 
 
@@ -231,7 +232,9 @@ def _painted(
     assert figure is not None
     bar = figure.colorbar(images[0][0], ax=list(panels), location="bottom", aspect=30, pad=0.03, shrink=0.8)
     origin = first.origin if all(line.origin == first.origin for line in seen) else ""
-    bar.set_label(f"{origin} normal {first.quantity} ({unit}){driven(first.units, first.drive)}".strip())
+    text = f"{origin} normal {first.quantity} ({unit}){driven(first.units, first.drive)}".strip()
+    letter = LETTER * bar.ax.xaxis.label.get_fontsize()
+    bar.set_label(textwrap.fill(text, max(LETTERS, int(72 * BAR * figure.get_figwidth() / letter))))
     bar.locator = MaxNLocator(4, symmetric=True)
     bar.update_ticks()
     return images
