@@ -21,8 +21,7 @@ web: web/node_modules/ready
 	cd web && npm run --silent check && npm run --silent build
 
 # The gallery's cells run as in the documentation, with what it needs. A run that was stopped goes on where it
-# ended, unless another commit is checked out or a file is changed. Tests of a file run one after the other: two
-# drawn designs at once may need more memory than there is.
+# ended, unless another commit is checked out or a file is changed. Tests that need up to 16 GB run one at a time.
 NIGHT = .nightly-$(shell git rev-parse --short HEAD)
 nightly: $(VENV)/ready-test $(VENV)/ready-docs
 	git diff --quiet HEAD || rm -f $(NIGHT)

@@ -30,6 +30,15 @@ def store_folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return (folder.parent if "PYTEST_XDIST_WORKER" in os.environ else folder) / "store"
 
 
+@pytest.fixture
+def alone(store_folder: Path) -> Iterator[None]:
+    """No other test with this fixture runs at the same time: each may need more than half of 24 GB."""
+    fcntl = pytest.importorskip("fcntl")
+    with store_folder.with_name("alone").open("w") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)  # ends with the process, even if it is killed
+        yield
+
+
 @pytest.fixture(autouse=True, scope="session")
 def _no_store_of_the_user(store_folder: Path) -> Iterator[None]:
     with pytest.MonkeyPatch.context() as patch:

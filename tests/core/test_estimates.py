@@ -300,6 +300,7 @@ def test_estimates_hold_of_a_first_mesh(seed, number, order):
 
 
 @pytest.mark.nightly
+@pytest.mark.usefixtures("alone")
 @pytest.mark.parametrize("number", [6, 7, 8, 10])
 def test_estimates_hold_for_cheap_designs(number):
     """The benchmark ``estimates_hold`` in small; number 6 was below the truth once."""
@@ -308,6 +309,7 @@ def test_estimates_hold_for_cheap_designs(number):
 
 # the references of number 4 would have 640,000 unknowns; number 28 has a step too
 @pytest.mark.nightly
+@pytest.mark.usefixtures("alone")
 @pytest.mark.parametrize("number", [*range(4), *range(5, 16), 28])
 def test_estimates_hold_for_drawn_designs(number):
     """What is refused is asked for again as the refusal allows, and answered then."""

@@ -182,6 +182,7 @@ def off(whole, model, reference, frequency):
 
 
 @pytest.mark.nightly
+@pytest.mark.usefixtures("alone")
 def test_the_products_own_orders_at_the_carrier_against_the_full_model():
     """4 x 3 cells with a waveguide and a patch, a third of a million unknowns; modes above the flat bands.
 

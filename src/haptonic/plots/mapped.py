@@ -233,7 +233,7 @@ def _painted(
     bar = figure.colorbar(images[0][0], ax=list(panels), location="bottom", aspect=30, pad=0.03, shrink=0.8)
     origin = first.origin if all(line.origin == first.origin for line in seen) else ""
     text = f"{origin} normal {first.quantity} ({unit}){driven(first.units, first.drive)}".strip()
-    letter = LETTER * bar.ax.xaxis.label.get_fontsize()
+    letter = LETTER * bar.ax.xaxis.label.get_fontproperties().get_size_in_points()
     bar.set_label(textwrap.fill(text, max(LETTERS, int(72 * BAR * figure.get_figwidth() / letter))))
     bar.locator = MaxNLocator(4, symmetric=True)
     bar.update_ticks()
