@@ -39,7 +39,8 @@ PICTURES = {
     if not VARIANTS & set(name.replace(",", "").split())
 }
 DAILY = ("dispersion", "layers, usual", "maps", "mac")
-ON_DATA = {"region name", "name", "number in a cell", "width", "corner"}  # of what they are written on
+# of what they are written on
+ON_DATA = {"region name", "name", "number in a cell", "width", "corner", "level"}
 
 
 def in_look(style: str, name: str) -> Figure:
