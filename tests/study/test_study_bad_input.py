@@ -222,6 +222,10 @@ def test_a_key_in_any_place_but_its_own_is_refused_there(every_key_text):
             assert sorted(reported) == sorted(f"{path}{word}" for word in some)
             for word in some:
                 del table_there[word]
+        for word in others - {key.removeprefix(pattern) for key in KEYS}:
+            with pytest.raises(StudyError) as caught:
+                read(Study, study | {"material": study["material"] | {word: "brass"}})
+            assert f"{path}{word}" in str(caught.value)
 
 
 @pytest.mark.parametrize("beside", ["", 'material = "steel"'])
