@@ -8,10 +8,13 @@ import pytest
 from strategies import ALUMINIUM
 
 from haptonic.bloch import BlochModel, Resolution
+from haptonic.bloch.candidates import BestModel
+from haptonic.bloch.settings import BandSettings
 from haptonic.cell import Disc, Solid, SolidPart, UnitCell
 from haptonic.errors import HaptonicError
 from haptonic.lattice import Lattice
 from haptonic.materials import material
+from haptonic.results.common import accuracy_remarks
 
 pytest.importorskip("ngsolve")
 
@@ -132,8 +135,17 @@ class TestPeriods:
         )
         path = write(tmp_path / "cell.msh", *tetrahedra(body, 2.0, quadratic=True), kind="tetra10")
         period = cell_of(path, pillar=STEEL).solid_period
+        assert not period.straight
         volume = period.volumes[period.names.index("pillar")]
         assert volume == pytest.approx(np.pi * 1.5**2 * 4e-9, rel=1e-3)  # of straight edges it is 4 % off
+
+    def test_only_straight_meshes_get_a_remark_on_polygons(self, tmp_path):
+        mesh = cell_of(write(tmp_path / "cell.msh", *PLATE))
+        for cell, remarks in ((mesh, 1), (UnitCell(SQUARE, THICKNESS, ALUMINIUM), 0)):
+            best = BestModel(BlochModel.of(cell, COARSE, 4, measured=False))
+            texts = accuracy_remarks(best.attributes(BandSettings(4, accuracy=1e-2), 1e-3))
+            assert [text for text in texts if "polygons" in text and "cell.msh" in text] == texts
+            assert len(texts) == remarks
 
     def test_a_symmetric_mesh_has_the_symmetry_of_the_lattice(self, tmp_path):
         assert len(cell_of(write(tmp_path / "a.vtu", *PILLAR), material_2=STEEL).point_group) == 8

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
+from pathlib import Path
 from typing import Any
 
 from haptonic.bloch.mesh_levels import (
@@ -108,14 +109,22 @@ class BestModel:
     def attributes(
         self, settings: BandSettings, largest: float, beside: tuple[str, str] | None = None
     ) -> dict[str, Any]:
-        """Attributes of a dataset on its accuracy: requested, reached, and the limit that prevented more.
+        """Attributes of a dataset on its accuracy: requested, reached, and the limit that prevented more;
+        the name of a mesh whose edges are all straight.
 
         largest : largest relative error of what the dataset contains
         beside : name and text of a limit beside the mesh, which applies if the mesh is accurate enough
         """
-        attributes = {"accuracy": settings.accuracy, "budget_s": settings.budget, "largest_error": largest}
+        attributes: dict[str, Any] = {
+            "accuracy": settings.accuracy,
+            "budget_s": settings.budget,
+            "largest_error": largest,
+        }
+        cell = self.model.cell
+        if cell.solid is not None and cell.solid_period.straight:
+            attributes["straight_mesh"] = Path(cell.solid.file).name
         if self.lack is not None:
-            return attributes | self.lack.attributes(self.model.cell)
+            return attributes | self.lack.attributes(cell)
         if beside is not None and largest > settings.accuracy and not settings.resolution:
             return attributes | dict(zip(("stopped_by", "stopped_why"), beside, strict=True))
         return attributes

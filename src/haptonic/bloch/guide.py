@@ -127,7 +127,8 @@ class Guide:
                 given=f"{self.interface.tangential[0]:.4g} rad/m at {_kilohertz(omega)}",
                 allowed=f"a wavenumber at which only {LEAD} propagates across the strip",
                 cause="waves so long along the strip also excite in-plane waves or diffracted waves",
-                next_step="use another number of intervals along the strip, or a lower frequency",
+                next_step="use another number of intervals along the strip, a lower frequency, or "
+                "`haptonic ribbon`, which computes all waves in the strip",
             )
         return tuple(wall for wall in walls if wall is not None)
 

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
+import scipy.special
 
 from haptonic.arrays import Array, Bools, Complex
 from haptonic.bloch.face_grid import STEPS, FaceGrid, FlatFace, middles
@@ -17,9 +18,10 @@ HARMONICS = np.arange(-3, 4)
 INPLANE = 1e-6  # share of normal motion in the squared amplitude below which a mode has none
 STILL = 0.05  # share of the largest amplitude across the guide below which the sign is not used
 NEAR_AND_FAR = 5  # number of rows from which the first, with evanescent waves of all kinds, is left out
-# Standard errors in the error of a decay. Evanescent waves of several wavelengths beat: falls of 10 to 22 dB
-# from row to row have the mean 14.8 dB over 11 rows, where the complex bands give 14.5 dB.
-BEATS = 2.0
+# Student's interval for the error of a decay. Evanescent waves of several wavelengths beat: falls of 10 to
+# 22 dB from row to row have the mean 14.8 dB over 11 rows, where the complex bands give 14.5 dB.
+CONFIDENCE = 0.9
+ALONE = 2.0  # error of a fall without a second one, as a multiple of it
 OWN_AND_SHARED = 2.0  # distances to the stiffened pencil in an error: its own, and as much for all modes
 
 
@@ -82,9 +84,16 @@ def _slopes(ribbon: Ribbon, energy: Array) -> tuple[Array, Array]:
                 # two rows have one fall, and nothing but the outermost shows how falls differ
                 falls = -np.diff(level if len(inner) == 2 else inner)
                 slopes[side, number] = -np.polyfit(np.arange(len(inner)), inner, 1)[0]
-                differing = falls.std(ddof=1) / np.sqrt(len(falls)) if len(falls) > 1 else abs(falls[0])
-                scatter[side, number] = BEATS * differing
+                scatter[side, number] = _mean_error(falls)
     return slopes, scatter
+
+
+def _mean_error(falls: Array) -> float:
+    """Half of Student's interval of the mean."""
+    if len(falls) < 2:
+        return float(ALONE * np.abs(falls[0]))
+    reach = scipy.special.stdtrit(len(falls) - 1, 0.5 + CONFIDENCE / 2)
+    return float(reach * falls.std(ddof=1) / np.sqrt(len(falls)))
 
 
 @dataclass(frozen=True)

@@ -156,6 +156,7 @@ class Solid:
             kept=np.asarray(answer["kept"], dtype=bool),
             elements=float(answer["elements"]),
             whole_below=bool(answer["whole_below"]),
+            straight=bool(answer["straight"]),
         )
 
     @property
@@ -207,6 +208,7 @@ class SolidPeriod:
     kept : True for maps that leave them unchanged
     elements : number of tetrahedra with as many unknowns as their mesh
     whole_below : True if the plate's lower face is whole, and nothing lies below it
+    straight : True for a mesh whose edges are all straight, so that round outlines are polygons
     """
 
     names: tuple[str, ...]
@@ -214,6 +216,7 @@ class SolidPeriod:
     kept: Bools
     elements: float
     whole_below: bool
+    straight: bool
 
 
 def _unread(file: str, cause: str) -> Exception:

@@ -55,6 +55,7 @@ class MeshPeriod(FilledTile):
         self._points = whole.points * self._scale
         blocks = [turned(self._points, *block, self._refused) for block in whole.blocks]
         self._points, self._blocks = of_elements(self._points, blocks)
+        self.is_straight = all(kind != "tetra10" for kind, _ in self._blocks)
         self._corners = padded(self._blocks)
         self._refuse_doubled()
         self._origin = self._middle()

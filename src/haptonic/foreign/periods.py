@@ -31,9 +31,11 @@ class FilledTile:
     """Tile that a file's bodies must fill, in units; and the reason if they do not, see `inspected`.
 
     blocks : polynomials of a trace along each side of the tile
+    is_straight : True if round outlines are polygons
     """
 
     blocks = 2
+    is_straight = False
     problem = ""
     number = 0.0
     text = ""

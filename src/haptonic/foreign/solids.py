@@ -33,7 +33,8 @@ def inspected(path: str, turns: NDArray[Any], **drawn: Any) -> dict[str, Any]:
     period, otherwise its kind, with its ``number``, ``place`` and ``text``. For a period also ``parts``,
     names of the parts that may have different materials, with ``volumes``, m^3; ``kept`` (n,) True for each
     map that leaves them unchanged; ``elements`` before refinement, as the number of tetrahedra with as many
-    unknowns; ``whole_below`` True if the plate's lower face is whole and nothing lies below it
+    unknowns; ``whole_below`` True if the plate's lower face is whole and nothing lies below it; ``straight``
+    True for a mesh whose edges are all straight
     """
     period = period_of(path, **drawn)
     whole = not period.problem
@@ -48,6 +49,7 @@ def inspected(path: str, turns: NDArray[Any], **drawn: Any) -> dict[str, Any]:
         "kept": np.array([period.is_kept(turn) for turn in turns] if whole else [], dtype=np.uint8),
         "elements": period.elements if whole else 0.0,
         "whole_below": whole and _is_whole_below(period),
+        "straight": whole and period.is_straight,
     }
 
 

@@ -12,6 +12,7 @@ from haptonic import hdf5
 from haptonic.atomic import draft_for, refuse_overwrite, write_atomically
 from haptonic.bloch.mesh_levels import rounded_up
 from haptonic.bloch.settings import COARSEST
+from haptonic.errors import shown
 from haptonic.gate import passed
 from haptonic.later import xarray as xr
 from haptonic.names import variable
@@ -32,13 +33,19 @@ REASONS = {
 
 
 def accuracy_remarks(attributes: Mapping[str, Any]) -> list[str]:
-    """Warning if the required accuracy was not reached: the largest error, the reason and advice.
+    """Warnings on errors: those of a mesh's shape, and a required accuracy that was not reached.
 
     attributes : of a dataset; see `haptonic.bloch.candidates.BestModel.attributes`
     """
+    remarks = []
+    if (name := attributes.get("straight_mesh")) is not None:
+        remarks.append(
+            f"All edges in {shown(name, 60)} are straight. Round outlines are polygons in such a mesh, and "
+            "the errors do not include the difference."
+        )
     asked, largest = attributes.get("accuracy"), attributes.get("largest_error")
     if asked is None or largest is None or largest <= asked:
-        return []
+        return remarks
     reached = in_percent(rounded_up(largest), form="g") if largest > COARSEST else f"{rounded_up(largest):g}"
     remark = (
         f"The required accuracy, {asked:g}, is not reached: errors go up to {reached} of a frequency"
@@ -52,7 +59,7 @@ def accuracy_remarks(attributes: Mapping[str, Any]) -> list[str]:
         remark += f' Run again with --budget "{duration(attributes["budget_needed_s"])}" for the next mesh.'
     if largest <= COARSEST and attributes.get("stopped_by") != "ribbon":  # a study accepts no larger number
         remark += f" To accept these errors, set accuracy = {reached} in [bands]."
-    return [remark]
+    return [*remarks, remark]
 
 
 def write_files(folder: Path, writers: Mapping[Any, Writer], *, overwrite: bool) -> list[Path]:

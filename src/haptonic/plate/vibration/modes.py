@@ -5,7 +5,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from haptonic.arrays import Array
 from haptonic.plate.body.model import impedance
@@ -42,13 +41,12 @@ class PlateModes:
 
 def modes_between(band: Band, low: float, high: float) -> PlateModes:
     """Compute the modes of a band between two frequencies, Hz."""
-    model, basis = band.reduced.model, band.reduced.basis
+    model = band.reduced.model
     assembly, factors = model.assembly, model.factors
-    around, error = _modes_around(band, low, high)
-    square = (2 * np.pi * np.array([low, high])) ** 2
-    inside = (basis.values[around] >= square[0]) & (basis.values[around] <= square[1])
-    picked, error = around[inside], error[inside]
-    vectors, values = basis.vectors(picked), basis.values[picked]
+    least, largest = (2 * np.pi * np.array([low, high])) ** 2
+    values, vectors, error = _modes_around(band, least, largest)
+    inside = (values >= least) & (values <= largest)
+    values, vectors, error = values[inside], vectors[:, inside], error[inside]
     blocks = len(assembly.skeleton.blocks)
     stored = {part: np.zeros((len(values), blocks)) for part in factors}
     for group, share in assembly.shares(vectors):
@@ -78,8 +76,8 @@ def modes_between(band: Band, low: float, high: float) -> PlateModes:
     )
 
 
-def _modes_around(band: Band, low: float, high: float) -> tuple[NDArray[np.int64], Array]:
-    """Ritz values that are modes, between the nearest shifts around two frequencies, Hz.
+def _modes_around(band: Band, least: float, largest: float) -> tuple[Array, Array, Array]:
+    """Ritz values that are modes, between the nearest shifts around two squares of omega.
 
     A basis without the modes below a band has Ritz values that are no modes, with errors near 1. The number
     of modes between two shifts is known from the inertia there; they are the Ritz values with the smallest
@@ -87,17 +85,18 @@ def _modes_around(band: Band, low: float, high: float) -> tuple[NDArray[np.int64
 
     Returns
     -------
-    (k,) their numbers, ascending, and (k,) their relative errors, see `_residual_error`
+    (k,) ascending, their vectors (size, k), and (k,) their relative errors, see `_residual_error`
     """
-    basis, square = band.reduced.basis, (2 * np.pi * np.array([low, high])) ** 2
-    start = max((shift for shift in basis.below if shift <= square[0]), default=square[0])
-    end = min((shift for shift in basis.below if shift >= square[1]), default=square[1])
+    basis = band.reduced.basis
+    start = max((shift for shift in basis.below if shift <= least), default=least)
+    end = min((shift for shift in basis.below if shift >= largest), default=largest)
     around = np.flatnonzero((basis.values >= start) & (basis.values <= end))
-    error = _residual_error(band, basis.vectors(around), basis.values[around])
+    values, vectors = basis.values[around], basis.vectors(around)
+    error = _residual_error(band, vectors, values)
     if start in basis.below and end in basis.below:
         modes = np.sort(error.argsort()[: basis.below[end] - basis.below[start]])
-        around, error = around[modes], error[modes]
-    return around, error
+        values, vectors, error = values[modes], vectors[:, modes], error[modes]
+    return values, vectors, error
 
 
 def _residual_error(band: Band, vectors: Array, values: Array) -> Array:
