@@ -47,7 +47,7 @@ metadata:
 
 # One script per claim; docs/benchmarks.md shows what they measured, with the kernels that OpenBLAS chooses itself.
 bench: $(VENV)/ready-test
-	cd benchmarks && for claim in diagram_in_a_second sweeps_in_twenty_seconds thousand_times_cheaper \
+	cd benchmarks && for claim in diagram_in_a_second any_cell_in_seconds sweeps_in_twenty_seconds thousand_times_cheaper \
 		cost_growth estimates_hold wavevectors_everywhere mirror_in_thirty_seconds search_finds_what_is_there plate_in_half_a_minute \
 		plate_growth rows_keep_it_there hundred_thousand_trials trials_tell_the_truth scan_twin gap_in_the_scan \
 		fit_covers_the_truth pages_answer_at_once drag_answers_at_once hour_of_the_studio render; \
