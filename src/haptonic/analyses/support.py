@@ -36,9 +36,9 @@ def one_loss_factor(cell: UnitCell, options: Any) -> HaptonicError | None:
     return StudyError.unsupported(
         argument=f"cell.{at}",
         given=f"a loss factor of {loss:g}, and {of_plate:g} in the plate",
-        allowed="the same loss factor in plate and pillars",
+        allowed="the same loss factor in all materials of the cell",
         cause="this analysis multiplies the stiffness of the whole lattice by a single complex factor",
-        next_step=f"give this material by its constants in a [cell.{at}] table, with the plate's loss_factor",
+        next_step=f"give cell.{at} by its constants, with the plate's loss_factor among them",
     )
 
 
