@@ -1,9 +1,10 @@
 """Jumps of a sample or two are seen; noise, and a finger that sticks and slips, are no jumps."""
 
 import numpy as np
+import pytest
 from hypothesis import given, settings, strategies as st
 
-from haptonic.friction.signals.jumps import jumps
+from haptonic.friction.signals.jumps import jumps, median_of_five
 
 
 def stroke(rng, rate, noise, sticking):
@@ -42,3 +43,12 @@ def test_a_jump_anywhere_is_seen(seed, drawn, channel, size, samples, place):
 
 def test_a_record_of_few_samples_has_none():
     assert not jumps(np.array([[0.0, 5.0, 0.0]]))
+
+
+@pytest.mark.parametrize("digits", [1, 6])
+def test_medians_of_five_are_those_of_numpy(digits):
+    """With one digit, many of the five samples are equal."""
+    channels = np.round(np.random.default_rng(4).standard_normal((3, 700)), digits)
+    channels[1, 40] = np.nan
+    windows = np.lib.stride_tricks.sliding_window_view(channels, 5, axis=1)
+    assert np.array_equal(median_of_five(channels), np.median(windows, axis=2), equal_nan=True)

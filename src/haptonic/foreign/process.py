@@ -16,6 +16,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
+from queue import SimpleQueue
 from typing import Any
 
 from haptonic.errors import ChannelError, ResourceError
@@ -151,11 +152,19 @@ class _EndedError(Exception):
         self.reason, self.code = reason, code
 
 
+class _Request:
+    """Limits of a request, its end, and the reason why the process was killed during it."""
+
+    def __init__(self, limits: Limits) -> None:
+        self.limits, self.done, self.reason = limits, threading.Event(), ""
+
+
 class _Reader:
-    """A reading process."""
+    """A reading process, and the thread that watches it."""
 
     def __init__(self) -> None:
         self.asked = False
+        self._requests = SimpleQueue[_Request | None]()
         try:
             # a new command instead of fork or multiprocessing: it copies no locks and runs no user's script
             self.process = subprocess.Popen(
@@ -168,6 +177,8 @@ class _Reader:
         assert self.process.stdin is not None
         assert self.process.stdout is not None
         self.to, self.back = self.process.stdin, self.process.stdout
+        # one thread for all requests: to start one takes as long as to read a channel
+        threading.Thread(target=self._watch, daemon=True).start()
         _widened(self.to.fileno(), self.back.fileno())
         try:
             with self._watched(Limits(START_SECONDS, START_SECONDS, MEMORY)):
@@ -192,29 +203,29 @@ class _Reader:
     @contextmanager
     def _watched(self, limits: Limits) -> Iterator[None]:
         """Watch the process from a thread, because a hang in C code blocks all signals except SIGKILL."""
-        done, reasons = threading.Event(), list[str]()
-        watch = threading.Thread(target=self._watch, args=(limits, done, reasons), daemon=True)
-        watch.start()
+        request = _Request(limits)
+        self._requests.put(request)
         try:
             yield
         except (EOFError, BrokenPipeError) as error:
-            done.set()
-            watch.join()
             code = self.process.wait()
-            if code == -getattr(signal, "SIGXCPU", 0):  # the limit of the system was reached first
-                reasons.append("time")
-            raise _EndedError(reasons[0] if reasons else "", code) from error
+            if not request.reason and code == -getattr(signal, "SIGXCPU", 0):  # the system's limit came first
+                request.reason = "time"
+            raise _EndedError(request.reason, code) from error
         finally:
-            done.set()
-            watch.join()
+            request.done.set()
 
-    def _watch(self, limits: Limits, done: threading.Event, reasons: list[str]) -> None:
-        if done.wait(LOOK_SECONDS):
-            return
+    def _watch(self) -> None:
+        while (request := self._requests.get()) is not None:
+            if not request.done.wait(LOOK_SECONDS):
+                self._limit(request)
+
+    def _limit(self, request: _Request) -> None:
+        """Kill the process if a request exceeds its limits."""
         import psutil  # imported here, because most requests are answered before
 
-        waited, before = LOOK_SECONDS, None
-        while not done.wait(LOOK_SECONDS):
+        limits, waited, before = request.limits, LOOK_SECONDS, None
+        while not request.done.wait(LOOK_SECONDS):
             waited += LOOK_SECONDS
             try:
                 process = psutil.Process(self.process.pid)
@@ -224,10 +235,10 @@ class _Reader:
             used = times.user + times.system
             before = used if before is None else before
             if used - before > limits.seconds or waited > limits.waiting:
-                reasons.append("time")
+                request.reason = "time"
             elif memory > limits.memory + MEMORY // 4:  # the process itself takes 60 MB to 150 MB
-                reasons.append("memory")
-            if reasons:
+                request.reason = "memory"
+            if request.reason:
                 self.process.kill()
                 return
 
@@ -236,7 +247,8 @@ class _Reader:
         self.close()
 
     def close(self) -> None:
-        """Close the pipes; the process ends at the end of its input."""
+        """Close the pipes; the process ends at the end of its input, and so does the thread."""
+        self._requests.put(None)
         for pipe in (self.to, self.back):
             pipe.close()
         self.process.wait()

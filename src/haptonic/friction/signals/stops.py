@@ -32,14 +32,15 @@ def stops(channels: Array) -> bool:
         return False
     for values in channels:
         rest, stroke = values[: pressed[0] // 2], values[pressed[0] : pressed[-1] + 1]
+        changes = np.flatnonzero(np.concatenate([[True], np.diff(stroke) != 0, [True]]))
+        longest = int(np.diff(changes).max())
+        if longest < max(LEAST_RUN, SHARE * len(stroke)):
+            continue
         step = np.diff(np.unique(values)).min(initial=np.inf)
         if np.diff(rest).std() < LEAST_NOISE * step:
             continue
         count = np.count_nonzero(np.diff(rest) == 0)
         equal = min((count + 1 + SURE * math.sqrt(count + 1)) / len(rest), 1.0)
-        changes = np.flatnonzero(np.concatenate([[True], np.diff(stroke) != 0, [True]]))
-        longest = int(np.diff(changes).max())
-        unlikely = (longest - 1) * math.log(equal) < math.log(CHANCE)  # differences that are zero
-        if unlikely and longest >= max(LEAST_RUN, SHARE * len(stroke)):
+        if (longest - 1) * math.log(equal) < math.log(CHANCE):  # differences that are zero
             return True
     return False
