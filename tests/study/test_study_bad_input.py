@@ -31,7 +31,7 @@ NAMED_IN_THE_ISSUE = {
     "pillar wider than the cell": (
         ('"3.5 mm"', '"8 mm"'),
         "cell.pillar.diameter",
-        ["8 mm", "less than 6.86 mm", "wider"],
+        ["8 mm", "less than 6.86 mm", "too wide"],
     ),
     "pillar nearly as wide": (
         ('"3.5 mm"', '"6.9 mm"'),

@@ -17,7 +17,7 @@ if TYPE_CHECKING:  # the table of names imports no analysis, and none of its lib
 
 # name: result, in one sentence, in the order of the help. "simulate scan" is the module simulate_scan
 NAMES = {
-    "plan": "Map and sizes of a study, with time and memory of each command, before anything is computed.",
+    "plan": "Map of the plate and time and memory of each command, before anything is computed.",
     "bands": "Band diagram, gaps and mode shapes of the unit cell.",
     "compare": "Bands of two studies or results, or of another program's table over those of a study.",
     "sweep": "Complete gaps along the study's sweeps.",
@@ -32,12 +32,12 @@ NAMES = {
     "drawing has tolerances, or a note that explains why there are none.",
     "plate": "Vibration of the finite plate: response, localisation, energies, impedance, modes.",
     "feel": "Friction under a finger on the plate: a map, reductions, and whether people notice them.",
-    "chirp": "The drive of a scan as WAV, CSV and HDF5, and the points in the order of the stage.",
+    "chirp": "The drive of a scan as WAV, CSV and HDF5, and its points in the order of measurement.",
     "scan": "Analysis of a scan: responses, maps, contrast, the gap, waves; and agreement with a model.",
     "protocol": "Order of friction trials: list, printed sheet, metronome, and how many participants are "
     "needed.",
     "friction": "Coefficients of friction from force records, and tests of their reduction.",
-    "verdict": "Comparison of a measured response with the model, for chosen unknowns; needs no records.",
+    "verdict": "Comparison of a measured response with the model, with chosen numbers fitted to it.",
     "simulate friction": "Strokes of simulated participants, as a folder that `haptonic friction` reads.",
     "simulate scan": "A simulated scan of the study's plate. Everything is marked as simulated.",
 }

@@ -37,10 +37,10 @@ SURFACE = 6.0  # s, for the whole zone
 class BandsOptions:
     """Options of the bands."""
 
-    surface: bool = option(False, "Also contours over the zone and the density of states.")
+    surface: bool = option(False, "Contours over the Brillouin zone and the density of states, too.")
     modes_at: str | None = option(
         None,
-        'Wavevector of the mode shapes: a corner such as M, "0.3 X-M", or two phases over pi.',
+        'Wavevector of the mode shapes: a corner such as M, "0.3 X-M", or k·a1 and k·a2 in units of pi.',
         metavar="K",
     )
     html: bool = option(False, "Also one interactive HTML page, with every mode moving.")

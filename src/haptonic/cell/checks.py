@@ -150,7 +150,7 @@ def _too_wide(feature: Feature, room: float) -> Exception:
         format_quantity(feature.diameter, "m")
         + (f", and {format_quantity(beyond, 'm')} more where it is widest" if beyond else ""),
         f"less than {format_quantity(per_half * room - beyond, 'm')}, {free}",
-        f"the {feature.noun} is wider than the cell",
-        f"choose a thinner {feature.noun} or a larger pitch",
+        f"the {feature.noun} is too wide for the cell",
+        "choose a smaller diameter or a larger pitch",
         at=f"{table}.diameter",
     )

@@ -29,6 +29,7 @@ MOMENTS = 12  # moments of a cycle in a film
 FINER = 4  # most patches of one colour along the side of a face
 SHADES = 60  # steps of the scale of colours, too small to be distinguished side by side
 LARGEST = 0.2  # drawn displacement, as a share of the period
+FLAT, LARGEST_OF_FLAT = 0.4, 0.1  # the same of a cell that is lower than this share; a hole would close
 APART = 0.45  # of the clear distance of two pillars, so that they do not pass through each other
 SMOOTH = 2  # pixels painted for one that is shown, along x and y, so that edges are smooth
 INKED = 0.65  # brightness of a line relative to the colour below it
@@ -66,7 +67,9 @@ def _bodies(dataset: xr.Dataset, turns: Sequence[complex]) -> tuple[Figure, Call
     sides = np.unique(np.sort(np.stack([faces, np.roll(faces, -1, axis=1)], -1).reshape(-1, 2)), axis=0)
     borders = sides[np.isin(sides, on_edge).all(axis=1)]
     outline = outline_edges(position, faces)
-    swing = min(LARGEST * float(np.ptp(position[:, 0])), APART * clearance(position, faces))
+    period, _, height = np.ptp(position, axis=0).tolist()
+    largest = LARGEST_OF_FLAT if height < FLAT * period else LARGEST
+    swing = min(largest * period, APART * clearance(position, faces))
     names = [name.replace(", ", "\n") for name in mode_names(dataset)[:SHOWN]]
     fields = (dataset["mode_real"].values + 1j * dataset["mode_imag"].values)[:count].astype(complex)
     amounts = np.linalg.norm(fields, axis=2)

@@ -38,7 +38,7 @@ class Methods:
         progress: haptonic.progress.Progress | None = None,
         budget: float | str | None = None,
     ) -> haptonic.results.plan.StudyPlan:
-        """Map and sizes of a study, with time and memory of each command, before anything is computed."""
+        """Map of the plate and time and memory of each command, before anything is computed."""
 
     def bands(
         self,
@@ -211,7 +211,7 @@ class Methods:
         progress: haptonic.progress.Progress | None = None,
         budget: float | str | None = None,
     ) -> haptonic.analyses.chirp.Excitation:
-        """The drive of a scan as WAV, CSV and HDF5, and the points in the order of the stage."""
+        """The drive of a scan as WAV, CSV and HDF5, and its points in the order of measurement."""
 
     def scan(
         self,
@@ -287,7 +287,7 @@ class Methods:
         progress: haptonic.progress.Progress | None = None,
         budget: float | str | None = None,
     ) -> haptonic.results.verdict.Verdict:
-        """Comparison of a measured response with the model, for chosen unknowns; needs no records."""
+        """Comparison of a measured response with the model, with chosen numbers fitted to it."""
 
     def simulate_friction(
         self,
