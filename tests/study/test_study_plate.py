@@ -176,7 +176,7 @@ LATTICES = {
     "change in another unit": ((FINE, 'change = { "cell.pillar.height" = "3 kHz" }'), "plate.cell[1].change",
                                ["not a unit of length"]),
     "change that does not build": ((FINE, 'change = { "cell.pillar.diameter" = "7 mm" }'),
-                                   'plate.cell[1] "fine".change', ["less than 6.86 mm", "wider"]),
+                                   'plate.cell[1] "fine".change', ["less than 6.86 mm", "too wide"]),
     "negative change": ((FINE, 'change = { "cell.pillar.height" = "-7 mm" }'),
                         'plate.cell[1] "fine".change', ["cell.pillar.height = -7 mm", "negative"]),
     "no change": ((FINE, ""), "plate.cell[1].change", ["left out", "[plate.cell.change]"]),
