@@ -215,7 +215,7 @@ def test_the_stated_error_of_a_plain_strip_is_that_of_its_modes():
 def test_errors_beyond_the_accuracy_of_the_cells_name_the_smaller_accuracy():
     modes = xr.Dataset({"frequency": ("mode", [1e3, 2e3]), "frequency_error": ("mode", [10.0, 60.0])})
     settings = BandSettings(accuracy=1e-2)
-    best = BestModel(SimpleNamespace(worst_error=5e-3))
+    best = BestModel(SimpleNamespace(worst_error=5e-3, cell=SimpleNamespace(solid=None)))
     attributes = accuracy_of(modes, np.empty(0), [best], settings)
     assert attributes["largest_error"] == pytest.approx(0.03)
     (remark,) = accuracy_remarks(attributes)
