@@ -13,11 +13,12 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from diagram_in_a_second import along_path
 from record import CORNERS, ROOT, STUDY, fresh, timed, true_error, write
 from threadpoolctl import threadpool_limits
 
 import haptonic
-from haptonic.bloch import BlochModel, bloch_model
+from haptonic.bloch import BlochModel
 from haptonic.bloch.settings import BandSettings
 from haptonic.cell import Disc, Solid, SolidPart, UnitCell
 from haptonic.lattice import Lattice
@@ -34,12 +35,7 @@ SNOWFLAKE = Disc(5.74 * MM, section="snowflake", arm_width=1.05 * MM, corner_rad
 
 
 def diagram(cell: UnitCell, accuracy: float) -> BlochModel:
-    """Frequencies, errors and group velocities along the path."""
-    model = bloch_model(cell, BandSettings(COUNT, accuracy=accuracy))
-    for kappa in cell.zone.path(POINTS).kappa:
-        solution = model.solve(kappa)
-        model.gradient(kappa, solution.values, solution.modes)
-    return model
+    return along_path(cell, BandSettings(COUNT, points=POINTS, accuracy=accuracy))
 
 
 def figures(model: BlochModel, seconds: float) -> dict[str, Any]:

@@ -30,7 +30,11 @@ def reference_cell(lattice: Lattice | None = None) -> tuple[UnitCell, BandSettin
 
 def frequencies_and_errors(lattice: Lattice | None = None) -> BlochModel:
     """From the study file to frequencies, errors and group velocities along the path."""
-    cell, asked = reference_cell(lattice)
+    return along_path(*reference_cell(lattice))
+
+
+def along_path(cell: UnitCell, asked: BandSettings) -> BlochModel:
+    """Compute frequencies, errors and group velocities along the path."""
     model = bloch_model(cell, asked)
     for kappa in cell.zone.path(asked.points).kappa:
         solution = model.solve(kappa)

@@ -86,25 +86,14 @@ complete gap: {lower:.2f} ± {below:.2f} to {upper:.2f} ± {above:.2f} kHz, from
 
 
 def any_cell(record: dict[str, Any]) -> str:
-    rows = [
-        [
-            f"{run['cell']}, {run['lattice']} lattice",
-            run["order"],
-            run["unknowns"],
-            "1.5 s",
-            f"{run['seconds']:.2f} s",
-            f"{100 * run['largest_estimate']:.2f} %",
-        ]
-        for run in record["discs"]
-    ]
+    def row(run: dict[str, Any], name: str, budget: str) -> list[Any]:
+        estimate = f"{100 * run['largest_estimate']:.2f} %"
+        return [name, run["order"], run["unknowns"], budget, f"{run['seconds']:.2f} s", estimate]
+
+    rows = [row(run, f"{run['cell']}, {run['lattice']} lattice", "1.5 s") for run in record["discs"]]
     of_pillar = [
         [
-            run["cell"],
-            run["order"],
-            run["unknowns"],
-            "30 s" if run["cell"] == "STEP file" else "",
-            f"{run['seconds']:.3g} s",
-            f"{100 * run['largest_estimate']:.2f} %",
+            *row(run, run["cell"], "30 s" if run["cell"] == "STEP file" else ""),
             f"{100 * run['true_error']:.2f} %",
         ]
         for run in record["pillar"]
